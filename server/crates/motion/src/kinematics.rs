@@ -1,0 +1,146 @@
+//! Forward kinematics of the ABB GoFa CRB 15000-5/0.95. The only place where
+//! radians exist.
+//!
+//! The chain (all frames parallel when every joint is zero): each joint turns
+//! about one axis of a frame that stands off from the frame before it. The wrist
+//! is not spherical: axes 5 and 6 are 80 mm apart.
+
+use crate::{JointAngles, Orientation, Pose, Position};
+
+#[derive(Clone, Copy)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// Origin of each joint in its parent's frame (mm) and the axis it turns about.
+const CHAIN: [([f64; 3], Axis); 6] = [
+    ([0.0, 0.0, 265.0], Axis::Z),
+    ([0.0, 0.0, 0.0], Axis::Y),
+    ([0.0, 0.0, 444.0], Axis::Y),
+    ([0.0, 0.0, 110.0], Axis::X),
+    ([470.0, 0.0, 0.0], Axis::Y),
+    ([101.0, 0.0, 80.0], Axis::X),
+];
+
+/// Pose of tool0 (the bare flange, z pointing out of it) in the base frame.
+///
+/// ```
+/// use motion::{JointAngles, kinematics};
+/// let at_zero = kinematics::tool0(&JointAngles([0.0; 6]));
+/// assert_eq!(at_zero.position.0, [571.0, 0.0, 899.0]);
+/// ```
+pub fn tool0(joints: &JointAngles) -> Pose {
+    let mut position = [0.0; 3];
+    let mut orientation = Orientation {
+        w: 1.0,
+        x: 0.0,
+        y: 0.0,
+        z: 0.0,
+    };
+    for (&(offset, axis), &angle_deg) in CHAIN.iter().zip(&joints.0) {
+        let step = rotate(&orientation, offset);
+        for (p, s) in position.iter_mut().zip(step) {
+            *p += s;
+        }
+        orientation = multiply(&orientation, &about(axis, angle_deg.to_radians()));
+    }
+    // tool0 is turned a quarter about y, so that its z axis points out of the flange.
+    let flange = about(Axis::Y, std::f64::consts::FRAC_PI_2);
+    Pose {
+        position: Position(position),
+        orientation: multiply(&orientation, &flange),
+    }
+}
+
+fn about(axis: Axis, angle_rad: f64) -> Orientation {
+    let (sin, cos) = (angle_rad / 2.0).sin_cos();
+    let (x, y, z) = match axis {
+        Axis::X => (sin, 0.0, 0.0),
+        Axis::Y => (0.0, sin, 0.0),
+        Axis::Z => (0.0, 0.0, sin),
+    };
+    Orientation { w: cos, x, y, z }
+}
+
+fn multiply(a: &Orientation, b: &Orientation) -> Orientation {
+    Orientation {
+        w: a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+        x: a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+        y: a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+        z: a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+    }
+}
+
+fn rotate(q: &Orientation, v: [f64; 3]) -> [f64; 3] {
+    // v + 2 w (u x v) + 2 u x (u x v), with u the vector part of q.
+    let u = [q.x, q.y, q.z];
+    let c = cross(u, v);
+    let cc = cross(u, c);
+    [0, 1, 2].map(|i| v[i] + 2.0 * (q.w * c[i] + cc[i]))
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Matrix4, Rotation3, Vector3};
+
+    /// The same arm in standard Denavit-Hartenberg form (theta offset deg, d, a,
+    /// alpha deg): an independent description of the chain.
+    fn by_denavit_hartenberg(joints: &JointAngles) -> Matrix4<f64> {
+        let rows = [
+            (0.0, 265.0, 0.0, -90.0),
+            (-90.0, 0.0, 444.0, 0.0),
+            (0.0, 0.0, 110.0, -90.0),
+            (0.0, 470.0, 0.0, 90.0),
+            (0.0, 0.0, 80.0, -90.0),
+            (180.0, 101.0, 0.0, 0.0),
+        ];
+        let mut pose = Matrix4::identity();
+        for ((offset, d, a, alpha), q) in rows.into_iter().zip(joints.0) {
+            let theta = f64::to_radians(q + offset);
+            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), theta).to_homogeneous()
+                * Matrix4::new_translation(&Vector3::new(a, 0.0, d))
+                * Rotation3::from_axis_angle(&Vector3::x_axis(), f64::to_radians(alpha))
+                    .to_homogeneous();
+            pose *= turn;
+        }
+        pose
+    }
+
+    #[test]
+    fn agrees_with_the_denavit_hartenberg_form() {
+        for joints in [
+            [0.0; 6],
+            [39.6, 33.3, 26.7, 42.4, -69.6, 160.4],
+            [-170.0, 80.0, -200.0, 120.0, 90.0, -260.0],
+            [12.0, -45.0, 60.0, -81.5, -2.1, 15.0],
+        ] {
+            let joints = JointAngles(joints);
+            let pose = tool0(&joints);
+            let reference = by_denavit_hartenberg(&joints);
+            for i in 0..3 {
+                assert!((pose.position.0[i] - reference[(i, 3)]).abs() < 1e-9);
+            }
+            // Columns of the rotation: where the frame's axes point.
+            for (column, axis) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+                .into_iter()
+                .enumerate()
+            {
+                let turned = rotate(&pose.orientation, axis);
+                for i in 0..3 {
+                    assert!((turned[i] - reference[(i, column)]).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! What the whole project agrees on about the arm: units, joint angles, the
+//! kinematic chain of the GoFa, its limits, and the gate that every motion must
+//! pass before it may be streamed.
+//!
+//! Pure: no I/O, no clock, no randomness. Angles are degrees and lengths
+//! millimetres everywhere; radians exist only inside [`kinematics`].
+#![warn(missing_docs)]
+
+pub mod filter;
+pub mod gate;
+pub mod kinematics;
+pub mod limits;
+pub mod plan;
+pub mod spline;
+mod units;
+
+pub use units::{JOINTS, JointAngles, JointVelocities, Orientation, Pose, Position};
