@@ -1,0 +1,142 @@
+//! Alignment: all demonstrations on one time axis.
+//!
+//! The reference is the demonstration with the smallest sum of dynamic time
+//! warping (DTW) distances to the others. Every other demonstration is warped to
+//! it and carried over to the reference's own time stamps: a sample of the
+//! reference receives the mean of the samples that the warping matches with it.
+//! Both series are thus indexed by the warping path, which the paper leaves open.
+
+pub mod dtw;
+mod groups;
+
+use crate::{Demonstration, Error, path::Path};
+
+/// Free samples at both ends of both series.
+const PSI: usize = 2;
+
+/// Demonstrations that share one time axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Aligned {
+    /// Which demonstration gave the time axis.
+    pub reference: usize,
+    /// Common times, from 0, seconds.
+    pub t_s: Vec<f64>,
+    /// Joint angles of each demonstration, in the order given, one row a time, degrees.
+    pub joints_deg: Vec<Path>,
+}
+
+/// Aligns the demonstrations and resamples them at `rate_hz`.
+///
+/// Errors: [`Error::DifferentMotions`] when they do not show the same motion.
+/// `step` is called after each warping with (done, total) and may end the work.
+pub fn align(
+    demonstrations: &[Demonstration],
+    rate_hz: f64,
+    step: &mut dyn FnMut(usize, usize) -> Result<(), Error>,
+) -> Result<Aligned, Error> {
+    let signals: Vec<Path> = demonstrations
+        .iter()
+        .map(Demonstration::alignment_signal)
+        .collect();
+    let m = demonstrations.len();
+    let pairs = m * (m - 1) / 2;
+    let total = pairs + m - 1;
+    let mut distances = vec![0.0; m * m];
+    let mut done = 0;
+    for i in 0..m {
+        for j in i + 1..m {
+            let distance = dtw::squared_distance(&signals[i], &signals[j]).sqrt();
+            distances[i * m + j] = distance;
+            distances[j * m + i] = distance;
+            done += 1;
+            step(done, total.max(1))?;
+        }
+    }
+    groups::check_same_motion(demonstrations, &signals, &distances)?;
+    let reference = medoid(&distances, m);
+    let times = demonstrations[reference].times_s();
+    let mut joints_deg = Vec::with_capacity(m);
+    for (i, demonstration) in demonstrations.iter().enumerate() {
+        let on_axis = if i == reference {
+            demonstration.joints_deg().clone()
+        } else {
+            let warping = dtw::warp(&signals[reference], &signals[i], PSI);
+            done += 1;
+            step(done, total.max(1))?;
+            carry_over(demonstration.joints_deg(), &warping, times.len())
+        };
+        joints_deg.push(on_axis);
+    }
+    let (t_s, joints_deg) = resample(times, &joints_deg, rate_hz);
+    Ok(Aligned {
+        reference,
+        t_s,
+        joints_deg,
+    })
+}
+
+/// Index of the smallest row sum; the first one when several are equal.
+fn medoid(distances: &[f64], m: usize) -> usize {
+    let sum = |i: usize| distances[i * m..(i + 1) * m].iter().sum::<f64>();
+    (1..m).fold(0, |best, i| if sum(i) < sum(best) { i } else { best })
+}
+
+/// Mean of the matched samples for each of the `n` samples of the reference;
+/// samples that the relaxed ends leave out take the nearest matched ones.
+fn carry_over(joints_deg: &Path, warping: &[(usize, usize)], n: usize) -> Path {
+    let width = joints_deg.width();
+    let mut sums = vec![0.0; n * width];
+    let mut counts = vec![0usize; n];
+    for &(i, j) in warping {
+        counts[i] += 1;
+        for (sum, q) in sums[i * width..].iter_mut().zip(joints_deg.row(j)) {
+            *sum += q;
+        }
+    }
+    let first = warping.first().map_or(0, |&(i, _)| i);
+    let last = warping.last().map_or(0, |&(i, _)| i);
+    let mut path = Path::with_capacity(width, n);
+    for i in 0..n {
+        let source = i.clamp(first, last);
+        let row: Vec<f64> = sums[source * width..(source + 1) * width]
+            .iter()
+            .map(|sum| sum / counts[source].max(1) as f64)
+            .collect();
+        path.push(&row);
+    }
+    path
+}
+
+/// Linear interpolation on equally spaced times from 0 to the last one.
+fn resample(times_s: &[f64], joints_deg: &[Path], rate_hz: f64) -> (Vec<f64>, Vec<Path>) {
+    let duration = times_s[times_s.len() - 1] - times_s[0];
+    let count = (duration * rate_hz).round() as usize + 1;
+    let t_s: Vec<f64> = (0..count)
+        .map(|i| duration * i as f64 / (count - 1) as f64)
+        .collect();
+    let mut paths: Vec<Path> = joints_deg
+        .iter()
+        .map(|path| Path::with_capacity(path.width(), count))
+        .collect();
+    let mut left = 0;
+    for &t in &t_s {
+        while left + 2 < times_s.len() && times_s[left + 1] - times_s[0] <= t {
+            left += 1;
+        }
+        let (a, b) = (times_s[left] - times_s[0], times_s[left + 1] - times_s[0]);
+        let u = ((t - a) / (b - a)).clamp(0.0, 1.0);
+        for (path, source) in paths.iter_mut().zip(joints_deg) {
+            let row: Vec<f64> = source
+                .row(left)
+                .iter()
+                .zip(source.row(left + 1))
+                .map(|(p, q)| p + u * (q - p))
+                .collect();
+            path.push(&row);
+        }
+    }
+    (t_s, paths)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,54 @@
+//! Figures of quality: the paper's, and the path fidelity that looks at what was
+//! shown.
+
+mod fidelity;
+mod gmcc;
+
+pub use fidelity::{Fidelity, Kinetics, fidelity};
+pub use gmcc::{gmcc, gmcc_centred};
+
+use crate::path::Path;
+
+/// Mean over the joints of |end - goal|, degrees (e_j of the paper).
+pub fn e_j_deg(end_deg: &[f64], goal_deg: &[f64]) -> f64 {
+    let sum: f64 = end_deg
+        .iter()
+        .zip(goal_deg)
+        .map(|(end, goal)| (end - goal).abs())
+        .sum();
+    sum / end_deg.len() as f64
+}
+
+/// Objective of the optimisation as the published figures have it:
+/// (1/sqrt(T)) sum_t |y_t - y_G,t| + |y_T - G|, degrees. Paths of equal length.
+pub fn objective(reproduction_deg: &Path, regression_deg: &Path) -> f64 {
+    let sum: f64 = reproduction_deg
+        .rows()
+        .zip(regression_deg.rows())
+        .map(|(y, reference)| distance(y, reference))
+        .sum();
+    sum / (regression_deg.len() as f64).sqrt()
+        + distance(reproduction_deg.last(), regression_deg.last())
+}
+
+/// Objective as the paper's text prints it, with the root mean square, degrees.
+pub fn objective_rms(reproduction_deg: &Path, regression_deg: &Path) -> f64 {
+    let sum: f64 = reproduction_deg
+        .rows()
+        .zip(regression_deg.rows())
+        .map(|(y, reference)| distance(y, reference).powi(2))
+        .sum();
+    (sum / regression_deg.len() as f64).sqrt()
+        + distance(reproduction_deg.last(), regression_deg.last())
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(x, y)| (x - y) * (x - y))
+        .sum::<f64>()
+        .sqrt()
+}
+
+#[cfg(test)]
+mod tests;

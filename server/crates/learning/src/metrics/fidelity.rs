@@ -1,0 +1,249 @@
+//! Path fidelity: how far the reproduced tool path is from the demonstrated ones,
+//! in millimetres, without any alignment in time.
+
+use motion::filter::savitzky_golay;
+use serde::{Deserialize, Serialize};
+
+use crate::{Demonstration, demonstration::tool_path_mm, path::Path};
+
+/// Half window of the smoothing before derivatives are taken, at 10 ms.
+const SMOOTHING_HALF: usize = 10;
+const GRID_S: f64 = 0.01;
+/// A demonstration is idle at an end while no joint has left it by more than this, degrees.
+const IDLE_DEG: f64 = 0.2;
+
+/// Distances between tool paths, mm. d(p, C) is the distance of a point to the
+/// nearest sample of a curve.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Fidelity {
+    /// d(demonstrated point, reproduction): mean of the demonstrations' means.
+    pub missed_mean_mm: f64,
+    /// The largest of them.
+    pub missed_max_mm: f64,
+    /// Over the reproduction's points, the distance to the nearest demonstration: mean.
+    pub off_path_mean_mm: f64,
+    /// The largest of them.
+    pub off_path_max_mm: f64,
+    /// The same as `missed` between the demonstrations; none with one demonstration.
+    pub mutual_mean_mm: Option<f64>,
+    /// The largest of them.
+    pub mutual_max_mm: Option<f64>,
+    /// `missed_mean_mm / mutual_mean_mm`: below 1 the path runs inside the bundle.
+    pub missed_over_mutual: Option<f64>,
+    /// Distance of the reproduction's first point to each demonstration's first.
+    pub start_mm: Vec<f64>,
+    /// Distance of the reproduction's last point to each demonstration's last.
+    pub end_mm: Vec<f64>,
+    /// Largest distance between two demonstrations' first points.
+    pub start_spread_mm: f64,
+    /// Largest distance between two demonstrations' last points.
+    pub end_spread_mm: f64,
+    /// Peaks of the reproduction.
+    pub reproduction: Kinetics,
+    /// Peaks over the demonstrations, smoothed alike.
+    pub demonstrations: Kinetics,
+    /// Duration of the reproduction, seconds.
+    pub duration_s: f64,
+    /// Mean duration of the demonstrations without idle ends, seconds.
+    pub demonstrated_duration_s: f64,
+}
+
+/// Largest rates over all joints.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Kinetics {
+    /// Speed, deg/s.
+    pub peak_speed_deg_s: f64,
+    /// Acceleration, deg/s².
+    pub peak_acceleration_deg_s2: f64,
+    /// Jerk, deg/s³.
+    pub peak_jerk_deg_s3: f64,
+}
+
+/// Compares a reproduction (rows `dt_s` apart) with the demonstrations. None
+/// unless they are six-joint paths, whose tool positions are known.
+pub fn fidelity(
+    demonstrations: &[Demonstration],
+    reproduction_deg: &Path,
+    dt_s: f64,
+) -> Option<Fidelity> {
+    let path = tool_path_mm(reproduction_deg)?;
+    let shown = demonstrations
+        .iter()
+        .map(Demonstration::tool_path_mm)
+        .collect::<Option<Vec<_>>>()?;
+    let missed: Vec<(f64, f64)> = shown.iter().map(|d| mean_and_max(d, &path)).collect();
+    let off: Vec<f64> = path
+        .iter()
+        .map(|p| {
+            shown
+                .iter()
+                .map(|d| nearest(p, d))
+                .fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    let mutual = mutual(&shown);
+    let missed_mean_mm = mean(missed.iter().map(|m| m.0));
+    let ends = |pick: fn(&[[f64; 3]]) -> [f64; 3]| -> (Vec<f64>, f64) {
+        let points: Vec<[f64; 3]> = shown.iter().map(|d| pick(d)).collect();
+        let from_path = points.iter().map(|p| distance(p, &pick(&path))).collect();
+        let spread = points
+            .iter()
+            .flat_map(|p| points.iter().map(move |q| distance(p, q)))
+            .fold(0.0, f64::max);
+        (from_path, spread)
+    };
+    let (start_mm, start_spread_mm) = ends(|d| d[0]);
+    let (end_mm, end_spread_mm) = ends(|d| d[d.len() - 1]);
+    let mut shown_kinetics = Kinetics::default();
+    for demonstration in demonstrations {
+        let grid = on_grid(demonstration.times_s(), demonstration.joints_deg());
+        shown_kinetics.widen(&kinetics(&grid));
+    }
+    let times: Vec<f64> = (0..reproduction_deg.len())
+        .map(|i| i as f64 * dt_s)
+        .collect();
+    Some(Fidelity {
+        missed_mean_mm,
+        missed_max_mm: missed.iter().map(|m| m.1).fold(0.0, f64::max),
+        off_path_mean_mm: mean(off.iter().copied()),
+        off_path_max_mm: off.iter().copied().fold(0.0, f64::max),
+        mutual_mean_mm: mutual.map(|m| m.0),
+        mutual_max_mm: mutual.map(|m| m.1),
+        missed_over_mutual: mutual.filter(|m| m.0 > 0.0).map(|m| missed_mean_mm / m.0),
+        start_mm,
+        end_mm,
+        start_spread_mm,
+        end_spread_mm,
+        reproduction: kinetics(&on_grid(&times, reproduction_deg)),
+        demonstrations: shown_kinetics,
+        duration_s: (reproduction_deg.len() - 1) as f64 * dt_s,
+        demonstrated_duration_s: mean(demonstrations.iter().map(active_duration_s)),
+    })
+}
+
+/// For each demonstration the mean of d(p, this one) over the points of the
+/// others; the mean of these, and the overall maximum.
+fn mutual(shown: &[Vec<[f64; 3]>]) -> Option<(f64, f64)> {
+    if shown.len() < 2 {
+        return None;
+    }
+    let (mut means, mut max) = (Vec::new(), 0.0);
+    for (i, curve) in shown.iter().enumerate() {
+        let (mut sum, mut count) = (0.0, 0usize);
+        for (j, other) in shown.iter().enumerate() {
+            if i != j {
+                let (other_mean, other_max) = mean_and_max(other, curve);
+                sum += other_mean * other.len() as f64;
+                count += other.len();
+                max = f64::max(max, other_max);
+            }
+        }
+        means.push(sum / count as f64);
+    }
+    Some((mean(means.into_iter()), max))
+}
+
+fn mean_and_max(points: &[[f64; 3]], curve: &[[f64; 3]]) -> (f64, f64) {
+    let (mut sum, mut max) = (0.0, 0.0);
+    for p in points {
+        let d = nearest(p, curve);
+        sum += d;
+        max = f64::max(max, d);
+    }
+    (sum / points.len() as f64, max)
+}
+
+fn nearest(p: &[f64; 3], curve: &[[f64; 3]]) -> f64 {
+    curve
+        .iter()
+        .map(|q| squared(p, q))
+        .fold(f64::INFINITY, f64::min)
+        .sqrt()
+}
+
+fn squared(p: &[f64; 3], q: &[f64; 3]) -> f64 {
+    let [x, y, z] = [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    x * x + y * y + z * z
+}
+
+fn distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
+    squared(p, q).sqrt()
+}
+
+fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let n = values.len() as f64;
+    values.sum::<f64>() / n
+}
+
+/// The path on a grid of 10 ms, linear between samples.
+fn on_grid(times_s: &[f64], joints_deg: &Path) -> Path {
+    let (first, last) = (times_s[0], times_s[times_s.len() - 1]);
+    let count = ((last - first) / GRID_S) as usize + 1;
+    let mut grid = Path::with_capacity(joints_deg.width(), count);
+    let mut left = 0;
+    for i in 0..count {
+        let t = first + i as f64 * GRID_S;
+        while left + 2 < times_s.len() && times_s[left + 1] <= t {
+            left += 1;
+        }
+        let u = ((t - times_s[left]) / (times_s[left + 1] - times_s[left])).clamp(0.0, 1.0);
+        let row: Vec<f64> = joints_deg
+            .row(left)
+            .iter()
+            .zip(joints_deg.row(left + 1))
+            .map(|(a, b)| a + u * (b - a))
+            .collect();
+        grid.push(&row);
+    }
+    grid
+}
+
+impl Kinetics {
+    fn widen(&mut self, other: &Kinetics) {
+        self.peak_speed_deg_s = self.peak_speed_deg_s.max(other.peak_speed_deg_s);
+        self.peak_acceleration_deg_s2 = self
+            .peak_acceleration_deg_s2
+            .max(other.peak_acceleration_deg_s2);
+        self.peak_jerk_deg_s3 = self.peak_jerk_deg_s3.max(other.peak_jerk_deg_s3);
+    }
+}
+
+fn kinetics(grid: &Path) -> Kinetics {
+    let peak = |signal: &[f64]| signal.iter().map(|v| v.abs()).fold(0.0, f64::max);
+    let derive = |signal: &[f64]| -> Vec<f64> {
+        savitzky_golay(signal, SMOOTHING_HALF, true)
+            .iter()
+            .map(|v| v / GRID_S)
+            .collect()
+    };
+    let mut all = Kinetics::default();
+    for j in 0..grid.width() {
+        let speed = derive(&grid.column(j));
+        let acceleration = derive(&speed);
+        let jerk = derive(&acceleration);
+        all.widen(&Kinetics {
+            peak_speed_deg_s: peak(&speed),
+            peak_acceleration_deg_s2: peak(&acceleration),
+            peak_jerk_deg_s3: peak(&jerk),
+        });
+    }
+    all
+}
+
+/// Duration without the time in which the arm still stands at the start or
+/// already at the end, seconds.
+fn active_duration_s(demonstration: &Demonstration) -> f64 {
+    let path = demonstration.joints_deg();
+    let away =
+        |row: &[f64], from: &[f64]| row.iter().zip(from).any(|(a, b)| (a - b).abs() > IDLE_DEG);
+    let first = path
+        .rows()
+        .position(|row| away(row, path.row(0)))
+        .unwrap_or(0);
+    let last = (0..path.len())
+        .rev()
+        .find(|&i| away(path.row(i), path.last()))
+        .unwrap_or(path.len() - 1);
+    let times = demonstration.times_s();
+    (times[last] - times[first.min(last)]).max(0.0)
+}

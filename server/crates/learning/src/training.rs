@@ -1,0 +1,210 @@
+//! The whole way from demonstrations to a model.
+
+use crate::{
+    Demonstration, Error, Model, Progress, Report, Stage, TrainingParams,
+    alignment::{self, Aligned},
+    dmp::{self, Extent, MovementPrimitive},
+    metrics,
+    mixture::{self, Rows},
+    optimisation::{self, Optimum},
+    progress::{self, Counter},
+    regression::{self, Regression},
+    report::{self, Lineage, NoiseFigures},
+    rng::Stream,
+    selection::{self, Stability},
+};
+use std::ops::ControlFlow;
+
+/// Most demonstrations of one task.
+const MAX_DEMONSTRATIONS: usize = 50;
+const STREAM_MIXTURE: u64 = 2;
+const STREAM_NOISE: u64 = 4;
+/// Reproductions for each level of start noise, as in the paper.
+const NOISE_RUNS: usize = 30;
+const NOISE_DEG: [f64; 4] = [1.0, 5.0, 10.0, 20.0];
+
+/// Learns the motion of `task` from `demonstrations`.
+///
+/// `progress` is called with every step, from several threads; breaking from it
+/// ends the training with [`Error::Cancelled`].
+pub fn train(
+    task: &str,
+    demonstrations: &[Demonstration],
+    params: &TrainingParams,
+    progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
+) -> Result<Model, Error> {
+    check(demonstrations)?;
+    let m = demonstrations.len();
+
+    let counter = Counter::begin(progress, Stage::Alignment, m * (m - 1) / 2 + m - 1)?;
+    let aligned = alignment::align(demonstrations, params.rate_hz, &mut |_, _| counter.step())?;
+    let values = stack(&aligned);
+    let rows = Rows::new(aligned.joints_deg[0].width() + 1, &values);
+
+    let (k, js) = select(rows, params, progress)?;
+
+    Counter::begin(progress, Stage::Mixture, 1)?;
+    let all: Vec<usize> = (0..rows.len()).collect();
+    let mut rng = Stream::derive(params.seed, &[STREAM_MIXTURE]);
+    let mixture = mixture::fit(rows, &all, k, &mut rng)?.mixture;
+
+    Counter::begin(progress, Stage::Regression, 1)?;
+    let regression = regression::regress(&mixture, &aligned.t_s);
+
+    let (primitive, optimum) = optimise(&regression, params, progress)?;
+
+    let counter = Counter::begin(progress, Stage::Evaluation, NOISE_DEG.len() + 1)?;
+    let taught = primitive.rollout(&primitive.start_deg, &primitive.goal_deg, Extent::AsTaught)?;
+    let mut start_noise = Vec::new();
+    for noise_deg in NOISE_DEG {
+        start_noise.push(noise_figures(
+            &primitive,
+            &regression,
+            params.seed,
+            noise_deg,
+        )?);
+        counter.step()?;
+    }
+    let report = Report {
+        task: task.to_string(),
+        method: params.method,
+        seed: params.seed,
+        demonstrations: demonstrations.iter().map(Lineage::of).collect(),
+        reference: demonstrations[aligned.reference].name().to_string(),
+        notes: report::notes(demonstrations),
+        k,
+        js: js
+            .into_iter()
+            .map(|s| Stability {
+                values: Vec::new(),
+                ..s
+            })
+            .collect(),
+        alpha_z: primitive.alpha_z,
+        n_basis: primitive.n_basis(),
+        objective: optimum.best.value,
+        objective_rms: metrics::objective_rms(&taught, &regression.mean_deg),
+        bo_calls: optimum.evaluations.len(),
+        on_bound: !on_bound_of(&optimum, params).is_empty(),
+        on_bound_of: on_bound_of(&optimum, params),
+        gmcc: metrics::gmcc(&taught, &regression.mean_deg),
+        gmcc_centred: metrics::gmcc_centred(&taught, &regression.mean_deg),
+        e_j_deg: metrics::e_j_deg(taught.last(), &primitive.goal_deg),
+        start_noise,
+        fidelity: metrics::fidelity(demonstrations, &taught, primitive.dt_s),
+    };
+    counter.step()?;
+    Ok(Model::new(report, params.clone(), mixture, primitive))
+}
+
+fn check(demonstrations: &[Demonstration]) -> Result<(), Error> {
+    let first = demonstrations.first().ok_or(Error::NoDemonstrations)?;
+    if demonstrations.len() > MAX_DEMONSTRATIONS {
+        return Err(Error::TooManyDemonstrations {
+            found: demonstrations.len(),
+            limit: MAX_DEMONSTRATIONS,
+        });
+    }
+    match demonstrations.iter().find(|d| d.joints() != first.joints()) {
+        Some(other) => Err(Error::DifferentJointCounts {
+            name: other.name().to_string(),
+            other: first.name().to_string(),
+            expected: first.joints(),
+            found: other.joints(),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Rows (time, joints) of all demonstrations, one demonstration after the other.
+fn stack(aligned: &Aligned) -> Vec<f64> {
+    let mut values = Vec::new();
+    for path in &aligned.joints_deg {
+        for (t, row) in aligned.t_s.iter().zip(path.rows()) {
+            values.push(*t);
+            values.extend_from_slice(row);
+        }
+    }
+    values
+}
+
+fn select(
+    rows: Rows,
+    params: &TrainingParams,
+    progress: progress::Report,
+) -> Result<(usize, Vec<Stability>), Error> {
+    // A very short recording may not hold as many components as the protocol asks for.
+    let mut range = params.selection.clone();
+    range.k_max = range.k_max.min(rows.len() / 4).max(range.k_min);
+    let total = (range.k_max - range.k_min + 1) * range.splits;
+    let counter = Counter::begin(progress, Stage::Selection, total)?;
+    let js = selection::stabilities(rows, &range, params.seed, &|| counter.step())?;
+    Ok((selection::choose(&js), js))
+}
+
+/// Finds alpha_z and N, and the primitive that belongs to them.
+fn optimise(
+    regression: &Regression,
+    params: &TrainingParams,
+    progress: progress::Report,
+) -> Result<(MovementPrimitive, Optimum), Error> {
+    let dt_s = regression.t_s[1] - regression.t_s[0];
+    let path = &regression.mean_deg;
+    let tau_s = dmp::time_constant_s(path, dt_s);
+    let primitive_at = |[alpha_z, n_basis]: [u32; 2]| {
+        dmp::imitate(path, dt_s, tau_s, f64::from(alpha_z), n_basis as usize)
+    };
+    let counter = Counter::begin(progress, Stage::Optimisation, params.search.max_calls)?;
+    let optimum = optimisation::minimise(&params.search, params.seed, &mut |point| {
+        counter.step()?;
+        let primitive = primitive_at(point);
+        let rollout =
+            primitive.rollout(&primitive.start_deg, &primitive.goal_deg, Extent::AsTaught)?;
+        Ok(metrics::objective(&rollout, path))
+    })?;
+    Ok((primitive_at(optimum.best.point), optimum))
+}
+
+fn on_bound_of(optimum: &Optimum, params: &TrainingParams) -> Vec<String> {
+    let search = &params.search;
+    ["alpha_z", "n_basis"]
+        .into_iter()
+        .enumerate()
+        .filter(|&(i, _)| {
+            let value = optimum.best.point[i];
+            value == search.low[i] || value == search.high[i]
+        })
+        .map(|(_, name)| name.to_string())
+        .collect()
+}
+
+/// GMCC and e_j over reproductions whose start has independent normal noise on
+/// every joint; the goal stays.
+fn noise_figures(
+    primitive: &MovementPrimitive,
+    regression: &Regression,
+    seed: u64,
+    noise_deg: f64,
+) -> Result<NoiseFigures, Error> {
+    let mut rng = Stream::derive(seed, &[STREAM_NOISE, noise_deg.to_bits()]);
+    let (mut gmccs, mut errors) = (Vec::new(), Vec::new());
+    for _ in 0..NOISE_RUNS {
+        let start: Vec<f64> = primitive
+            .start_deg
+            .iter()
+            .map(|q| q + noise_deg * rng.normal())
+            .collect();
+        let path = primitive.rollout(&start, &primitive.goal_deg, Extent::AsTaught)?;
+        gmccs.push(metrics::gmcc(&path, &regression.mean_deg));
+        errors.push(metrics::e_j_deg(path.last(), &primitive.goal_deg));
+    }
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    Ok(NoiseFigures {
+        noise_deg,
+        runs: NOISE_RUNS,
+        gmcc: mean(&gmccs),
+        gmcc_min: gmccs.iter().copied().fold(f64::INFINITY, f64::min),
+        e_j_deg: mean(&errors),
+        e_j_max_deg: errors.iter().copied().fold(0.0, f64::max),
+    })
+}
