@@ -1,0 +1,29 @@
+//! The errors of starting a virtual controller.
+
+use std::net::SocketAddr;
+
+/// Why a virtual controller cannot start.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// Robot Web Services cannot listen.
+    #[error("Robot Web Services cannot listen on {address}: {source}")]
+    Listen {
+        /// The address asked for.
+        address: SocketAddr,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// The control thread cannot be started.
+    #[error("the control thread cannot be started: {0}")]
+    Thread(std::io::Error),
+    /// The configuration makes no sense.
+    #[error("{key} is {value}: {rule}")]
+    Config {
+        /// Name of the entry.
+        key: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        rule: &'static str,
+    },
+}

@@ -1,0 +1,108 @@
+//! A virtual GoFa: an arm and its controller that speak EGM over UDP and Robot Web Services 2.0
+//! over HTTP, on real sockets, as a real cell does.
+//!
+//! Its state and physics ([`controller`], [`arm`], [`hand`]) know neither sockets nor clocks;
+//! [`egm_client`] and [`rws`] connect them. Other programs reach it through its sockets alone.
+//! Only one resource is not ABB's: `/virtual/hand`, with which a scripted hand guides the arm while
+//! lead-through is active.
+
+pub mod arm;
+pub mod clock;
+pub mod config;
+pub mod controller;
+pub mod egm_client;
+mod egm_message;
+pub mod egm_session;
+pub mod error;
+pub mod events;
+pub mod faults;
+pub mod hand;
+pub mod rws;
+pub mod signals;
+
+use std::net::SocketAddr;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use tokio::net::TcpListener;
+use tokio::sync::watch;
+use tokio::task::JoinHandle;
+
+pub use config::{Config, EgmSettings, StopMode};
+pub use error::Error;
+pub use faults::{FaultSwitches, Faults};
+
+use controller::Controller;
+use egm_client::EgmClient;
+
+/// How long open connections may take to end when the controller stops.
+const FAREWELL: Duration = Duration::from_secs(1);
+
+/// A running virtual controller. Dropping it stops it, without waiting for its HTTP server.
+pub struct VirtualController {
+    controller: Arc<Mutex<Controller>>,
+    egm: EgmClient,
+    rws_addr: SocketAddr,
+    end_rws: watch::Sender<bool>,
+    rws: JoinHandle<()>,
+}
+
+impl VirtualController {
+    /// Starts the controller: its cycle on a thread of its own, Robot Web Services on the present
+    /// tokio runtime.
+    ///
+    /// # Errors
+    /// [`Error`] when the configuration makes no sense, the address is taken or the system has no
+    /// thread to give.
+    pub async fn start(config: Config) -> Result<Self, Error> {
+        config.check()?;
+        let address = config.rws_listen;
+        let listen_error = |source| Error::Listen { address, source };
+        let listener = TcpListener::bind(address).await.map_err(listen_error)?;
+        let rws_addr = listener.local_addr().map_err(listen_error)?;
+        let controller = Arc::new(Mutex::new(Controller::new(config)));
+        let egm = EgmClient::start(Arc::clone(&controller)).map_err(Error::Thread)?;
+        let (end_rws, rws_ends) = watch::channel(false);
+        let rws = tokio::spawn(rws::serve(listener, Arc::clone(&controller), rws_ends));
+        Ok(Self {
+            controller,
+            egm,
+            rws_addr,
+            end_rws,
+            rws,
+        })
+    }
+
+    /// Where Robot Web Services listen.
+    #[must_use]
+    pub fn rws_addr(&self) -> SocketAddr {
+        self.rws_addr
+    }
+
+    /// The faults that tests can bring about.
+    #[must_use]
+    pub fn faults(&self) -> FaultSwitches {
+        FaultSwitches(Arc::clone(&self.controller))
+    }
+
+    /// Stops the controller and waits until its sockets are closed.
+    pub async fn stop(mut self) {
+        self.egm.stop();
+        self.end_rws.send(true).ok();
+        let rws = &mut self.rws;
+        if tokio::time::timeout(FAREWELL, &mut *rws).await.is_err() {
+            rws.abort();
+        }
+    }
+}
+
+impl Drop for VirtualController {
+    fn drop(&mut self) {
+        self.end_rws.send(true).ok();
+    }
+}
+
+/// Locks; a thread that panicked leaves the state as it was after its last whole step.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
