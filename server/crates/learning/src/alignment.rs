@@ -6,6 +6,7 @@
 //! reference receives the mean of the samples that the warping matches with it.
 //! Both series are thus indexed by the warping path, which the paper leaves open.
 
+pub mod barycentre;
 pub mod dtw;
 mod groups;
 
@@ -23,6 +24,25 @@ pub struct Aligned {
     pub t_s: Vec<f64>,
     /// Joint angles of each demonstration, in the order given, one row a time, degrees.
     pub joints_deg: Vec<Path>,
+}
+
+impl Aligned {
+    /// Common duration, seconds.
+    pub fn duration_s(&self) -> f64 {
+        self.t_s[self.t_s.len() - 1]
+    }
+
+    /// Rows (time, joints) of the demonstrations `chosen`, one after the other.
+    pub fn rows(&self, chosen: &[usize]) -> Vec<f64> {
+        let mut values = Vec::new();
+        for &demonstration in chosen {
+            for (t, row) in self.t_s.iter().zip(self.joints_deg[demonstration].rows()) {
+                values.push(*t);
+                values.extend_from_slice(row);
+            }
+        }
+        values
+    }
 }
 
 /// Aligns the demonstrations and resamples them at `rate_hz`.
@@ -52,7 +72,7 @@ pub fn align(
             step(done, total.max(1))?;
         }
     }
-    groups::check_same_motion(demonstrations, &signals, &distances)?;
+    groups::check_same_motion(demonstrations)?;
     let reference = medoid(&distances, m);
     let times = demonstrations[reference].times_s();
     let mut joints_deg = Vec::with_capacity(m);

@@ -81,8 +81,16 @@ pub fn time_constant_s(path_deg: &Path, dt_s: f64) -> f64 {
     (last as f64 * dt_s).max(dt_s)
 }
 
+/// The published floor of the denominator in the fit of a weight.
+pub const PUBLISHED_FLOOR: f64 = 1e-10;
+/// A floor that only keeps from dividing by zero. The phase velocity falls like
+/// exp(-alpha_z / 2); beyond alpha_z of about 36 the published floor stifles the
+/// end of a motion.
+pub const SMALLEST_FLOOR: f64 = 1e-100;
+
 /// Learns a primitive that imitates `path_deg` (rows `dt_s` apart) with `n_basis`
-/// basis functions, by locally weighted regression for each of them.
+/// basis functions, by locally weighted regression for each of them; `floor` is
+/// added to the denominator of each weight.
 ///
 /// The path must have at least three rows.
 pub fn imitate(
@@ -91,13 +99,14 @@ pub fn imitate(
     tau_s: f64,
     alpha_z: f64,
     n_basis: usize,
+    floor: f64,
 ) -> MovementPrimitive {
     let (n, d) = (path_deg.len(), path_deg.width());
     let forcing = Forcing::new(alpha_z, n_basis, tau_s, dt_s, n);
     let mut weights = Vec::with_capacity(d);
     for j in 0..d {
         let target = forcing_target(&path_deg.column(j), dt_s, tau_s, alpha_z);
-        weights.push(forcing.fit(&target));
+        weights.push(forcing.fit(&target, floor));
     }
     MovementPrimitive {
         alpha_z,

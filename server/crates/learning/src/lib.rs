@@ -24,8 +24,7 @@
 //!         .collect();
 //!     Demonstration::new(format!("stretched {stretch}"), times, angles, None)
 //! };
-//! let mut params = TrainingParams::paper(1);
-//! params.selection.splits = 2; // fewer than the method's 50, to keep the example short
+//! let params = TrainingParams::faithful(1);
 //! let model = train("swing", &[take(1.0)?, take(1.1)?], &params, &|_| ControlFlow::Continue(()))?;
 //! let path = model.reproduce(&[5.0], &[30.0], learning::dmp::Extent::AsTaught)?;
 //! assert!((path.last()[0] - 30.0).abs() < 1.0);

@@ -101,17 +101,37 @@ pub fn fit(rows: Rows, chosen: &[usize], k: usize, rng: &mut Stream) -> Result<F
     with_dimension!(rows.width(), fit_in(rows, chosen, k, rng))
 }
 
+/// Fits a mixture of `k` components to all rows, beginning with `k` stretches of
+/// equal length along dimension 0, the time: nothing is drawn at random, and the
+/// components follow the motion.
+pub fn fit_along_time(rows: Rows, k: usize) -> Result<Fit, Error> {
+    with_dimension!(rows.width(), fit_along_time_in(rows, k))
+}
+
+fn fit_along_time_in<const D: usize>(rows: Rows, k: usize) -> Result<Fit, Error> {
+    enough(rows.len(), k)?;
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by(|&a, &b| rows.row(a)[0].total_cmp(&rows.row(b)[0]));
+    let labels: Vec<usize> = (0..order.len()).map(|i| i * k / order.len()).collect();
+    em::maximise(&Blocks::<D>::gather(rows, &order), &labels, k)
+}
+
+fn enough(samples: usize, k: usize) -> Result<(), Error> {
+    if k == 0 || samples < k {
+        return Err(Error::MixtureFailed {
+            reason: format!("{samples} samples for {k} components"),
+        });
+    }
+    Ok(())
+}
+
 fn fit_in<const D: usize>(
     rows: Rows,
     chosen: &[usize],
     k: usize,
     rng: &mut Stream,
 ) -> Result<Fit, Error> {
-    if k == 0 || chosen.len() < k {
-        return Err(Error::MixtureFailed {
-            reason: format!("{} samples for {k} components", chosen.len()),
-        });
-    }
+    enough(chosen.len(), k)?;
     let data = Blocks::<D>::gather(rows, chosen);
     let labels = kmeans::cluster(&data, k, rng);
     em::maximise(&data, &labels, k)

@@ -7,7 +7,7 @@ use crate::{
     Error, Path, Report, TrainingParams,
     dmp::{Extent, MovementPrimitive},
     mixture::Mixture,
-    regression::{Regression, regress},
+    regression::{Course, Regression},
 };
 
 /// Marks model files.
@@ -27,6 +27,8 @@ pub struct Model {
     pub params: TrainingParams,
     /// Mixture over (time, joints).
     pub mixture: Mixture,
+    /// How the motion is read off the mixture.
+    pub course: Course,
     /// The spring that reproduces the motion.
     pub primitive: MovementPrimitive,
 }
@@ -45,6 +47,7 @@ impl Model {
         report: Report,
         params: TrainingParams,
         mixture: Mixture,
+        course: Course,
         primitive: MovementPrimitive,
     ) -> Model {
         Model {
@@ -59,6 +62,7 @@ impl Model {
             report,
             params,
             mixture,
+            course,
             primitive,
         }
     }
@@ -109,6 +113,7 @@ impl Model {
         {
             return Err("the mixture's parts do not fit together".into());
         }
+        self.course.check(d)?;
         if self.mixture.covariances.iter().any(|c| !positive(c[0][0])) {
             return Err("a component of the mixture has no extent in time".into());
         }
@@ -137,10 +142,7 @@ impl Model {
 
     /// The learned motion with its spread, at the primitive's times.
     pub fn regression(&self) -> Regression {
-        let times: Vec<f64> = (0..self.primitive.steps)
-            .map(|i| i as f64 * self.primitive.dt_s)
-            .collect();
-        regress(&self.mixture, &times)
+        self.course.regress(&self.mixture)
     }
 
     /// The motion from `start_deg` to `goal_deg`, rows `primitive.dt_s` apart, degrees.

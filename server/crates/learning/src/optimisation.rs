@@ -26,8 +26,10 @@ const XI: f64 = 0.01;
 pub struct SearchBox {
     /// Lower ends.
     pub low: [u32; 2],
-    /// Upper ends.
+    /// Upper ends; a whole number of steps above the lower ones.
     pub high: [u32; 2],
+    /// Distance of the points that are tried.
+    pub step: [u32; 2],
     /// Most evaluations.
     pub max_calls: usize,
 }
@@ -101,10 +103,12 @@ fn descend(
     }
 }
 
-/// The points of the box that differ from `centre` by at most one in each direction.
+/// The points of the box that are at most one step from `centre` in each direction.
 fn neighbours(search: &SearchBox, centre: [u32; 2]) -> Vec<[u32; 2]> {
     let near = |i: usize| {
-        centre[i].saturating_sub(1).max(search.low[i])..=(centre[i] + 1).min(search.high[i])
+        let step = search.step[i];
+        let from = centre[i].saturating_sub(step).max(search.low[i]);
+        (from..=(centre[i] + step).min(search.high[i])).step_by(step as usize)
     };
     near(0)
         .flat_map(|first| near(1).map(move |second| [first, second]))
@@ -114,8 +118,8 @@ fn neighbours(search: &SearchBox, centre: [u32; 2]) -> Vec<[u32; 2]> {
 
 fn random_point(search: &SearchBox, rng: &mut Stream) -> [u32; 2] {
     std::array::from_fn(|i| {
-        let span = (search.high[i] - search.low[i] + 1) as usize;
-        search.low[i] + rng.below(span) as u32
+        let count = ((search.high[i] - search.low[i]) / search.step[i] + 1) as usize;
+        search.low[i] + search.step[i] * rng.below(count) as u32
     })
 }
 
@@ -138,8 +142,9 @@ fn propose(
     };
     *process = Some(fitted.hyperparameters().clone());
     let mut chosen = (XI * 1e-3, incumbent.point);
-    for first in search.low[0]..=search.high[0] {
-        for second in search.low[1]..=search.high[1] {
+    let along = |i: usize| (search.low[i]..=search.high[i]).step_by(search.step[i] as usize);
+    for first in along(0) {
+        for second in along(1) {
             let point = [first, second];
             let (mean, deviation) = fitted.predict(scaled(search, point));
             let gain = expected_improvement(incumbent.value - XI, mean, deviation);

@@ -15,6 +15,88 @@ pub struct Regression {
     pub covariance_deg2: Path,
 }
 
+/// How a motion is read off its mixture; with the mixture it gives the regression
+/// again, so that a model file need not hold the curve.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Course {
+    /// Duration of the aligned demonstrations, seconds.
+    pub motion_s: f64,
+    /// Rate of the regression, Hz.
+    pub rate_hz: f64,
+    /// How the ends are treated; as the mixture has them when missing.
+    pub ends: Option<Ends>,
+}
+
+impl Course {
+    /// The regression at equally spaced times from 0 to the end.
+    pub fn regress(&self, mixture: &Mixture) -> Regression {
+        match &self.ends {
+            Some(ends) => regress_to_ends(mixture, ends, self.motion_s, self.rate_hz),
+            None => regress(mixture, &even_times(self.motion_s, self.rate_hz)),
+        }
+    }
+
+    pub(crate) fn check(&self, joints: usize) -> Result<(), String> {
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        if !positive(self.motion_s) || !positive(self.rate_hz) || self.motion_s * self.rate_hz > 1e6
+        {
+            return Err("the duration or the rate is out of range".into());
+        }
+        let fits = |ends: &Ends| {
+            ends.start_deg.len() == joints
+                && ends.end_deg.len() == joints
+                && positive(ends.fade_s)
+                && positive(ends.ease_s)
+                && ends.ease_s <= self.motion_s
+        };
+        if self.ends.as_ref().is_some_and(|ends| !fits(ends)) {
+            return Err("the ends do not fit the motion".into());
+        }
+        Ok(())
+    }
+}
+
+/// Equally spaced times from 0 to `duration_s`, about `rate_hz` apart.
+fn even_times(duration_s: f64, rate_hz: f64) -> Vec<f64> {
+    let count = (duration_s * rate_hz).round() as usize + 1;
+    (0..count)
+        .map(|i| duration_s * i as f64 / (count - 1) as f64)
+        .collect()
+}
+
+/// How the ends of a motion are treated: it begins and ends at rest, in the poses
+/// where the demonstrations began and ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ends {
+    /// The start, degrees.
+    pub start_deg: Vec<f64>,
+    /// The end, degrees.
+    pub end_deg: Vec<f64>,
+    /// Time over which the regression is led to its ends, seconds.
+    pub fade_s: f64,
+    /// Time over which the motion gathers speed and loses it again, seconds.
+    pub ease_s: f64,
+}
+
+impl Ends {
+    /// Where the clock of the demonstrations stands at `t_s` of the eased motion,
+    /// which lasts `motion_s` on that clock and `ease_s` longer on its own. The path
+    /// is the same; only the pace at its ends differs.
+    fn demonstrated_time_s(&self, t_s: f64, motion_s: f64) -> f64 {
+        let gathered = |t: f64| {
+            let u = (t / self.ease_s).clamp(0.0, 1.0);
+            // Integral of the pace 3u² - 2u³, which rises from 0 to 1 smoothly.
+            self.ease_s * u * u * u * (1.0 - 0.5 * u) + (t - self.ease_s).max(0.0)
+        };
+        let whole = motion_s + self.ease_s;
+        if t_s <= 0.5 * whole {
+            gathered(t_s)
+        } else {
+            motion_s - gathered(whole - t_s)
+        }
+    }
+}
+
 impl Regression {
     /// Standard deviation of each joint at each time, degrees.
     pub fn std_deg(&self) -> Path {
@@ -48,6 +130,42 @@ pub fn regress(mixture: &Mixture, t_s: &[f64]) -> Regression {
         t_s: t_s.to_vec(),
         mean_deg,
         covariance_deg2,
+    }
+}
+
+/// Regression with its ends treated. The path is that of the mixture, its pace at
+/// the ends eased:
+/// what it lacks to the ends fades out smoothly (with minimum jerk).
+fn regress_to_ends(mixture: &Mixture, ends: &Ends, motion_s: f64, rate_hz: f64) -> Regression {
+    let t_s = even_times(motion_s + ends.ease_s, rate_hz);
+    let demonstrated: Vec<f64> = t_s
+        .iter()
+        .map(|&t| ends.demonstrated_time_s(t, motion_s))
+        .collect();
+    let curve = regress(mixture, &demonstrated);
+    let lack = |end: &[f64], row: &[f64]| -> Vec<f64> {
+        end.iter().zip(row).map(|(p, q)| p - q).collect()
+    };
+    let at_start = lack(&ends.start_deg, curve.mean_deg.row(0));
+    let at_end = lack(&ends.end_deg, curve.mean_deg.last());
+    let share = |distance_s: f64| {
+        let u = (1.0 - distance_s / ends.fade_s).clamp(0.0, 1.0);
+        u * u * u * (10.0 - 15.0 * u + 6.0 * u * u)
+    };
+    let mut mean_deg = Path::with_capacity(curve.mean_deg.width(), t_s.len());
+    for (&s, row) in demonstrated.iter().zip(curve.mean_deg.rows()) {
+        let (start, end) = (share(s), share(motion_s - s));
+        let row: Vec<f64> = row
+            .iter()
+            .zip(at_start.iter().zip(&at_end))
+            .map(|(q, (a, b))| q + start * a + end * b)
+            .collect();
+        mean_deg.push(&row);
+    }
+    Regression {
+        t_s,
+        mean_deg,
+        covariance_deg2: curve.covariance_deg2,
     }
 }
 

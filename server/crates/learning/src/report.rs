@@ -3,7 +3,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Demonstration, Method, metrics::Fidelity, selection::Stability};
+use crate::{
+    Demonstration, Method,
+    metrics::Fidelity,
+    selection::{LeftOut, Stability},
+};
 
 /// The report of one model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,8 +26,12 @@ pub struct Report {
     pub notes: Vec<String>,
     /// Number of components of the mixture.
     pub k: usize,
-    /// Distance between random halves for each number of components.
+    /// Jensen-Shannon distance between mixtures for each number of components: of
+    /// random halves (paper), or of fits with another demonstration left out.
     pub js: Vec<Stability>,
+    /// How far a left-out demonstration is from what the others teach, for each
+    /// number of components; empty for the paper's method.
+    pub left_out: Vec<LeftOut>,
     /// Stiffness of the spring.
     pub alpha_z: f64,
     /// Number of basis functions.

@@ -6,7 +6,10 @@
 //! Mixture Model and Gaussian Mixture Regression" of the paper).
 
 pub mod js;
+mod left_out;
 pub mod welch;
+
+pub use left_out::{LeftOut, Tried, choose_smallest, leave_one_out};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -98,7 +101,7 @@ fn split_distance(rows: Rows, k: usize, rng: &mut Stream) -> Result<f64, Error> 
     let (test, train) = order.split_at(rows.len().div_ceil(2));
     let first = mixture::fit(rows, train, k, rng)?;
     let second = mixture::fit(rows, test, k, rng)?;
-    js::distance(&first.mixture, &second.mixture, rng)
+    js::distance(&first.mixture, &second.mixture, js::SAMPLES, rng)
 }
 
 /// The walk: starts at the lowest mean; for each k in ascending order, unless it

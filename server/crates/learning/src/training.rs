@@ -1,23 +1,23 @@
 //! The whole way from demonstrations to a model.
 
+mod encoding;
+
+use std::ops::ControlFlow;
+
 use crate::{
-    Demonstration, Error, Model, Progress, Report, Stage, TrainingParams,
-    alignment::{self, Aligned},
+    Demonstration, Error, Method, Model, Progress, Report, Stage, TrainingParams,
     dmp::{self, Extent, MovementPrimitive},
     metrics,
-    mixture::{self, Rows},
     optimisation::{self, Optimum},
     progress::{self, Counter},
-    regression::{self, Regression},
+    regression::Regression,
     report::{self, Lineage, NoiseFigures},
     rng::Stream,
-    selection::{self, Stability},
+    selection::Stability,
 };
-use std::ops::ControlFlow;
 
 /// Most demonstrations of one task.
 const MAX_DEMONSTRATIONS: usize = 50;
-const STREAM_MIXTURE: u64 = 2;
 const STREAM_NOISE: u64 = 4;
 /// Reproductions for each level of start noise, as in the paper.
 const NOISE_RUNS: usize = 30;
@@ -34,24 +34,12 @@ pub fn train(
     progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Model, Error> {
     check(demonstrations)?;
-    let m = demonstrations.len();
-
-    let counter = Counter::begin(progress, Stage::Alignment, m * (m - 1) / 2 + m - 1)?;
-    let aligned = alignment::align(demonstrations, params.rate_hz, &mut |_, _| counter.step())?;
-    let values = stack(&aligned);
-    let rows = Rows::new(aligned.joints_deg[0].width() + 1, &values);
-
-    let (k, js) = select(rows, params, progress)?;
-
-    Counter::begin(progress, Stage::Mixture, 1)?;
-    let all: Vec<usize> = (0..rows.len()).collect();
-    let mut rng = Stream::derive(params.seed, &[STREAM_MIXTURE]);
-    let mixture = mixture::fit(rows, &all, k, &mut rng)?.mixture;
-
-    Counter::begin(progress, Stage::Regression, 1)?;
-    let regression = regression::regress(&mixture, &aligned.t_s);
-
-    let (primitive, optimum) = optimise(&regression, params, progress)?;
+    let encoding = match params.method {
+        Method::Paper => encoding::by_the_paper(demonstrations, params, progress)?,
+        Method::Faithful => encoding::faithfully(demonstrations, params, progress)?,
+    };
+    let regression = &encoding.regression;
+    let (primitive, optimum) = optimise(regression, params, progress)?;
 
     let counter = Counter::begin(progress, Stage::Evaluation, NOISE_DEG.len() + 1)?;
     let taught = primitive.rollout(&primitive.start_deg, &primitive.goal_deg, Extent::AsTaught)?;
@@ -59,7 +47,7 @@ pub fn train(
     for noise_deg in NOISE_DEG {
         start_noise.push(noise_figures(
             &primitive,
-            &regression,
+            regression,
             params.seed,
             noise_deg,
         )?);
@@ -70,10 +58,12 @@ pub fn train(
         method: params.method,
         seed: params.seed,
         demonstrations: demonstrations.iter().map(Lineage::of).collect(),
-        reference: demonstrations[aligned.reference].name().to_string(),
+        reference: demonstrations[encoding.reference].name().to_string(),
         notes: report::notes(demonstrations),
-        k,
-        js: js
+        k: encoding.k,
+        left_out: encoding.left_out,
+        js: encoding
+            .js
             .into_iter()
             .map(|s| Stability {
                 values: Vec::new(),
@@ -94,7 +84,13 @@ pub fn train(
         fidelity: metrics::fidelity(demonstrations, &taught, primitive.dt_s),
     };
     counter.step()?;
-    Ok(Model::new(report, params.clone(), mixture, primitive))
+    Ok(Model::new(
+        report,
+        params.clone(),
+        encoding.mixture,
+        encoding.course,
+        primitive,
+    ))
 }
 
 fn check(demonstrations: &[Demonstration]) -> Result<(), Error> {
@@ -116,32 +112,6 @@ fn check(demonstrations: &[Demonstration]) -> Result<(), Error> {
     }
 }
 
-/// Rows (time, joints) of all demonstrations, one demonstration after the other.
-fn stack(aligned: &Aligned) -> Vec<f64> {
-    let mut values = Vec::new();
-    for path in &aligned.joints_deg {
-        for (t, row) in aligned.t_s.iter().zip(path.rows()) {
-            values.push(*t);
-            values.extend_from_slice(row);
-        }
-    }
-    values
-}
-
-fn select(
-    rows: Rows,
-    params: &TrainingParams,
-    progress: progress::Report,
-) -> Result<(usize, Vec<Stability>), Error> {
-    // A very short recording may not hold as many components as the protocol asks for.
-    let mut range = params.selection.clone();
-    range.k_max = range.k_max.min(rows.len() / 4).max(range.k_min);
-    let total = (range.k_max - range.k_min + 1) * range.splits;
-    let counter = Counter::begin(progress, Stage::Selection, total)?;
-    let js = selection::stabilities(rows, &range, params.seed, &|| counter.step())?;
-    Ok((selection::choose(&js), js))
-}
-
 /// Finds alpha_z and N, and the primitive that belongs to them.
 fn optimise(
     regression: &Regression,
@@ -150,9 +120,20 @@ fn optimise(
 ) -> Result<(MovementPrimitive, Optimum), Error> {
     let dt_s = regression.t_s[1] - regression.t_s[0];
     let path = &regression.mean_deg;
-    let tau_s = dmp::time_constant_s(path, dt_s);
+    let (tau_s, floor) = match params.method {
+        // A faithful motion comes to rest by itself: it is pushed to its very end.
+        Method::Faithful => (regression.t_s[path.len() - 1], dmp::SMALLEST_FLOOR),
+        Method::Paper => (dmp::time_constant_s(path, dt_s), dmp::PUBLISHED_FLOOR),
+    };
     let primitive_at = |[alpha_z, n_basis]: [u32; 2]| {
-        dmp::imitate(path, dt_s, tau_s, f64::from(alpha_z), n_basis as usize)
+        dmp::imitate(
+            path,
+            dt_s,
+            tau_s,
+            f64::from(alpha_z),
+            n_basis as usize,
+            floor,
+        )
     };
     let counter = Counter::begin(progress, Stage::Optimisation, params.search.max_calls)?;
     let optimum = optimisation::minimise(&params.search, params.seed, &mut |point| {

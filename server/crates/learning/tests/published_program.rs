@@ -14,8 +14,7 @@ use learning::{
     dmp::{self, Extent},
     metrics,
     mixture::{Mixture, Rows},
-    optimisation::{self, SearchBox},
-    regression,
+    optimisation, regression,
     selection::{self, SelectionParams, Stability, welch},
 };
 use serde_json::Value;
@@ -176,6 +175,7 @@ fn rollout_and_objective_at_its_optimum_agree() {
             task.number("/tau_s"),
             task.number("/bo/alpha_z"),
             task.number("/bo/n_basis") as usize,
+            dmp::PUBLISHED_FLOOR,
         );
         let rollout = primitive
             .rollout(path.row(0), path.last(), Extent::AsTaught)
@@ -233,19 +233,17 @@ fn optimisation_reaches_its_minimum() {
         let dt = times[1] - times[0];
         let tau = task.number("/tau_s");
         let theirs = task.number("/bo/objective");
-        let SearchBox {
-            low,
-            high,
-            max_calls,
-        } = TrainingParams::paper(0).search;
-        let search = SearchBox {
-            low,
-            high,
-            max_calls,
-        };
+        let search = TrainingParams::paper(0).search;
         for seed in 0..10 {
             let optimum = optimisation::minimise(&search, seed, &mut |[alpha_z, n_basis]| {
-                let primitive = dmp::imitate(&path, dt, tau, f64::from(alpha_z), n_basis as usize);
+                let primitive = dmp::imitate(
+                    &path,
+                    dt,
+                    tau,
+                    f64::from(alpha_z),
+                    n_basis as usize,
+                    dmp::PUBLISHED_FLOOR,
+                );
                 let rollout = primitive.rollout(path.row(0), path.last(), Extent::AsTaught)?;
                 Ok(metrics::objective(&rollout, &path))
             })

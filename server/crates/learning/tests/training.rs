@@ -44,48 +44,99 @@ fn takes() -> Vec<Demonstration> {
     ]
 }
 
-/// The protocol with fewer halves, so that the tests are quick.
-fn quick(seed: u64) -> TrainingParams {
+/// The paper's protocol with fewer halves, so that the tests are quick.
+fn paper(seed: u64) -> TrainingParams {
     let mut params = TrainingParams::paper(seed);
     params.selection.splits = 4;
     params
 }
 
-fn trained(demonstrations: &[Demonstration], seed: u64) -> Model {
-    train("pick", demonstrations, &quick(seed), &|_| {
+/// Both methods.
+fn methods(seed: u64) -> [TrainingParams; 2] {
+    [TrainingParams::faithful(seed), paper(seed)]
+}
+
+fn with(demonstrations: &[Demonstration], params: &TrainingParams) -> Model {
+    train("pick", demonstrations, params, &|_| {
         ControlFlow::Continue(())
     })
     .unwrap()
 }
 
+/// By the default method.
+fn trained(demonstrations: &[Demonstration], seed: u64) -> Model {
+    with(demonstrations, &TrainingParams::faithful(seed))
+}
+
 #[test]
 fn it_reproduces_from_another_start_to_another_goal() {
-    let model = trained(&takes(), 1);
-    let shifted = |q: &[f64], by: f64| q.iter().map(|v| v + by).collect::<Vec<_>>();
-    let goal = shifted(model.goal_deg(), 5.0);
-    let extent = Extent::UntilSettled {
-        tolerance_deg: 0.001,
-        longest_s: 60.0,
-    };
-    let path = model
-        .reproduce(&shifted(model.start_deg(), 20.0), &goal, extent)
-        .unwrap();
-    assert!(metrics::e_j_deg(path.last(), &goal) <= 0.001);
-    assert!(metrics::gmcc(&path, &model.regression().mean_deg) >= 0.99);
+    for params in methods(1) {
+        let model = with(&takes(), &params);
+        let shifted = |q: &[f64], by: f64| q.iter().map(|v| v + by).collect::<Vec<_>>();
+        let goal = shifted(model.goal_deg(), 5.0);
+        let extent = Extent::UntilSettled {
+            tolerance_deg: 0.001,
+            longest_s: 60.0,
+        };
+        let path = model
+            .reproduce(&shifted(model.start_deg(), 5.0), &goal, extent)
+            .unwrap();
+        assert!(metrics::e_j_deg(path.last(), &goal) <= 0.001);
+        assert!(metrics::gmcc(&path, &model.regression().mean_deg) >= 0.99);
+    }
 }
 
 #[test]
 fn the_same_demonstrations_and_seed_give_the_same_bytes_on_any_number_of_threads() {
-    let bytes = |threads: usize, seed: u64| {
+    let bytes = |threads: usize, params: &TrainingParams| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| trained(&takes(), seed).to_json())
+        pool.install(|| with(&takes(), params).to_json())
     };
-    let one = bytes(1, 7);
-    assert_eq!(one, bytes(2, 7));
-    assert_ne!(one, bytes(1, 8));
+    for params in methods(7) {
+        let one = bytes(1, &params);
+        assert_eq!(one, bytes(2, &params));
+        let other = TrainingParams {
+            seed: 8,
+            ..params.clone()
+        };
+        assert_ne!(one, bytes(1, &other));
+    }
+}
+
+#[test]
+fn a_faithful_path_runs_within_the_bundle_and_ends_where_the_takes_ended() {
+    let model = trained(&takes(), 1);
+    let fidelity = model.report.fidelity.unwrap();
+    assert!(fidelity.missed_over_mutual.unwrap() < 0.75, "{fidelity:?}");
+    let ends = |distances: &[f64], spread: f64| distances.iter().all(|d| *d <= spread + 0.5);
+    assert!(
+        ends(&fidelity.start_mm, fidelity.start_spread_mm),
+        "{fidelity:?}"
+    );
+    assert!(
+        ends(&fidelity.end_mm, fidelity.end_spread_mm),
+        "{fidelity:?}"
+    );
+    let (ours, shown) = (&fidelity.reproduction, &fidelity.demonstrations);
+    assert!(ours.peak_speed_deg_s <= 1.2 * shown.peak_speed_deg_s);
+}
+
+#[test]
+fn a_faithful_motion_begins_and_ends_at_rest_where_the_takes_did() {
+    let model = trained(&takes(), 1);
+    let regression = model.regression();
+    let (curve, n) = (&regression.mean_deg, regression.t_s.len());
+    let dt = regression.t_s[1];
+    for (a, b) in [(0, 1), (n - 2, n - 1)] {
+        for (p, q) in curve.row(a).iter().zip(curve.row(b)) {
+            assert!(((q - p) / dt).abs() < 0.1);
+        }
+    }
+    assert!((curve.last()[0] - 40.0).abs() < 0.2 && (curve.row(0)[0]).abs() < 0.2);
+    assert_eq!(model.goal_deg(), curve.last());
 }
 
 #[test]
@@ -170,7 +221,7 @@ fn one_to_seven_joints_can_be_learned() {
 #[test]
 fn progress_goes_through_every_stage_and_never_back() {
     let seen: Mutex<Vec<Progress>> = Mutex::new(Vec::new());
-    train("pick", &takes(), &quick(1), &|progress| {
+    train("pick", &takes(), &paper(1), &|progress| {
         seen.lock().unwrap().push(progress);
         ControlFlow::Continue(())
     })
@@ -190,26 +241,35 @@ fn progress_goes_through_every_stage_and_never_back() {
 #[test]
 fn it_can_be_cancelled_in_every_stage() {
     for (stage, _) in Stage::ALL {
-        let result = train("pick", &takes(), &quick(1), &|progress| {
-            if progress.stage == stage {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        });
+        let result = train(
+            "pick",
+            &takes(),
+            &TrainingParams::faithful(1),
+            &|progress| {
+                if progress.stage == stage {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            },
+        );
         assert_eq!(result.unwrap_err(), Error::Cancelled, "{stage:?}");
     }
 }
 
 #[test]
 fn what_cannot_be_learned_together_is_refused() {
-    let nothing = train("pick", &[], &quick(1), &|_| ControlFlow::Continue(()));
+    let nothing = train("pick", &[], &TrainingParams::faithful(1), &|_| {
+        ControlFlow::Continue(())
+    });
     assert_eq!(nothing.unwrap_err(), Error::NoDemonstrations);
     let times: Vec<f64> = (0..120).map(|k| 0.02 * f64::from(k)).collect();
     let joints = times.iter().map(|t| vec![10.0 * t]).collect();
     let single = Demonstration::new("single".into(), times, joints, None).unwrap();
     let mixed = [takes().remove(0), single];
-    let result = train("pick", &mixed, &quick(1), &|_| ControlFlow::Continue(()));
+    let result = train("pick", &mixed, &TrainingParams::faithful(1), &|_| {
+        ControlFlow::Continue(())
+    });
     assert!(matches!(
         result.unwrap_err(),
         Error::DifferentJointCounts { name, expected: 6, found: 1, .. } if name == "single"
@@ -229,7 +289,9 @@ fn what_cannot_be_learned_together_is_refused() {
     )
     .unwrap();
     let both = [takes().remove(0), takes().remove(1), backwards];
-    let result = train("pick", &both, &quick(1), &|_| ControlFlow::Continue(()));
+    let result = train("pick", &both, &TrainingParams::faithful(1), &|_| {
+        ControlFlow::Continue(())
+    });
     let Error::DifferentMotions { groups } = result.unwrap_err() else {
         panic!("a motion and its reverse are two motions");
     };

@@ -13,22 +13,29 @@ const SAME_TOOL_PATH: f64 = 0.25;
 const SAME_JOINT_PATH: f64 = 0.60;
 
 /// Refuses when a demonstration is further from the most typical one than takes
-/// of one motion are. `distances` are the pairwise DTW distances of `signals`.
-pub fn check_same_motion(
-    demonstrations: &[Demonstration],
-    signals: &[Path],
-    distances: &[f64],
-) -> Result<(), Error> {
+/// of one motion are.
+pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> {
     let m = demonstrations.len();
-    let typical = super::medoid(distances, m);
-    let joints = demonstrations[typical].joints_deg();
+    let signals: Vec<Path> = demonstrations
+        .iter()
+        .map(|d| thinned(&d.alignment_signal()))
+        .collect();
+    let joints: Vec<Path> = demonstrations
+        .iter()
+        .map(|d| thinned(d.joints_deg()))
+        .collect();
+    let mut distances = vec![0.0; m * m];
+    for i in 0..m {
+        for j in i + 1..m {
+            let distance = relative(&signals[i], &signals[j]);
+            distances[i * m + j] = distance;
+            distances[j * m + i] = distance;
+        }
+    }
+    let typical = super::medoid(&distances, m);
     let same = |i: usize| {
-        let tool = relative(distances[i * m + typical], &signals[i], &signals[typical]);
-        let own = demonstrations[i].joints_deg();
-        i == typical
-            || (tool <= SAME_TOOL_PATH
-                && relative(dtw::squared_distance(own, joints).sqrt(), own, joints)
-                    <= SAME_JOINT_PATH)
+        distances[i * m + typical] <= SAME_TOOL_PATH
+            && relative(&joints[i], &joints[typical]) <= SAME_JOINT_PATH
     };
     let (same, other): (Vec<usize>, Vec<usize>) = (0..m).partition(|&i| same(i));
     if other.is_empty() {
@@ -45,14 +52,25 @@ pub fn check_same_motion(
     })
 }
 
+/// At most this many samples are compared: motions differ in the large.
+const COMPARED_SAMPLES: usize = 500;
+
+fn thinned(path: &Path) -> Path {
+    let n = path.len();
+    let count = n.min(COMPARED_SAMPLES);
+    let pick = |i: usize| i * (n - 1) / (count - 1);
+    Path::from_rows(path.width(), (0..count).map(|i| path.row(pick(i))))
+}
+
 /// DTW distance per sample in units of the larger spread of the two.
-fn relative(distance: f64, a: &Path, b: &Path) -> f64 {
+fn relative(a: &Path, b: &Path) -> f64 {
     let samples = a.len().max(b.len()) as f64;
+    let distance = dtw::squared_distance(a, b).sqrt();
     distance / samples.sqrt() / f64::max(spread(a), spread(b)).max(1e-9)
 }
 
 /// Root mean square distance of the samples from their mean.
-fn spread(signal: &Path) -> f64 {
+pub fn spread(signal: &Path) -> f64 {
     let n = signal.len() as f64;
     let variance: f64 = (0..signal.width())
         .map(|c| {

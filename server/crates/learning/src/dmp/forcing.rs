@@ -1,7 +1,7 @@
 //! The forcing term: basis functions of the phase and their weights.
 
-/// Added to each basis function in the normalisation and to the denominator of
-/// the fit, so that neither divides by zero far from every centre.
+/// Added to each basis function in the normalisation, which so never divides by
+/// zero far from every centre.
 const EPSILON: f64 = 1e-10;
 /// Basis functions below exp of this are taken as zero (8.8e-27).
 const FAR: f64 = -60.0;
@@ -62,8 +62,8 @@ impl Forcing {
     }
 
     /// Weights by locally weighted regression: each basis function alone,
-    /// w = sum(v target psi) / (sum(v² psi) + 1e-10).
-    pub fn fit(&self, target: &[f64]) -> Vec<f64> {
+    /// w = sum(v target psi) / (sum(v² psi) + floor).
+    pub fn fit(&self, target: &[f64], floor: f64) -> Vec<f64> {
         self.bases
             .iter()
             .map(|basis| {
@@ -73,7 +73,7 @@ impl Forcing {
                     above += v * target[basis.first + offset] * psi;
                     below += v * v * psi;
                 }
-                above / (below + EPSILON)
+                above / (below + floor)
             })
             .collect()
     }

@@ -21,7 +21,14 @@ fn taught() -> Path {
 
 fn primitive() -> MovementPrimitive {
     let path = taught();
-    imitate(&path, DT, time_constant_s(&path, DT), 25.0, 100)
+    imitate(
+        &path,
+        DT,
+        time_constant_s(&path, DT),
+        25.0,
+        100,
+        PUBLISHED_FLOOR,
+    )
 }
 
 #[test]
@@ -56,7 +63,7 @@ fn a_joint_without_forcing_follows_the_closed_form_of_the_spring() {
         1,
         (0..300).map(|i| [if i < 100 { 5.0 } else { 5.0 + 1e-12 }]),
     );
-    let primitive = imitate(&still, DT, 2.0, 20.0, 20);
+    let primitive = imitate(&still, DT, 2.0, 20.0, 20, PUBLISHED_FLOOR);
     let rollout = primitive.rollout(&[7.0], &[7.0], Extent::AsTaught).unwrap();
     assert!(rollout.rows().all(|row| (row[0] - 7.0).abs() < 1e-6));
     // A filtered step: g(t) = G + (y0 - G) exp(-alpha t / 6), and a critically

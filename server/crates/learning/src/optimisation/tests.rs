@@ -6,6 +6,7 @@ fn search() -> SearchBox {
     SearchBox {
         low: [5, 50],
         high: [30, 200],
+        step: [1, 1],
         max_calls: 100,
     }
 }
