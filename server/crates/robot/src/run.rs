@@ -1,0 +1,68 @@
+//! A run as its starter sees it: a handle, its progress, its end, and the record of its cycles.
+
+use crate::error::Fault;
+use crate::player::RunPhase;
+use motion::JointAngles;
+use serde::Serialize;
+use tokio::sync::{oneshot, watch};
+
+/// A run that was accepted.
+#[derive(Debug)]
+pub struct RunHandle {
+    /// Where it is.
+    pub progress: watch::Receiver<RunProgress>,
+    /// How it ended; sent exactly once.
+    pub outcome: oneshot::Receiver<RunOutcome>,
+}
+
+/// Where a run is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RunProgress {
+    /// What the arm does.
+    pub phase: RunPhase,
+    /// Time within the plan, s.
+    pub t_s: f64,
+    /// Duration of the plan, s.
+    pub duration_s: f64,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub struct RunOutcome {
+    /// The end.
+    pub end: RunEnd,
+    /// Every cycle from arming to the end, about 250 a second.
+    pub record: Vec<CycleRecord>,
+}
+
+/// The ways in which a run can end.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RunEnd {
+    /// The arm stands at the end of the plan.
+    Completed,
+    /// A person stopped it.
+    Stopped,
+    /// Something went wrong.
+    Failed(Fault),
+}
+
+/// One cycle of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleRecord {
+    /// Since the run was armed.
+    pub at_us: u64,
+    /// Reference that was answered.
+    pub commanded: JointAngles,
+    /// Pose in the message that was answered.
+    pub measured: JointAngles,
+    /// Time within the plan, s.
+    pub plan_t_s: f64,
+    /// What the arm was doing.
+    pub phase: RunPhase,
+    /// Messages missing right before this one.
+    pub lost: u32,
+    /// The session refused the setpoint and held instead.
+    pub held: bool,
+    /// The limiter had to change the setpoint.
+    pub limited: bool,
+}

@@ -1,0 +1,284 @@
+//! A run: from the request over the control thread's work to its outcome.
+
+use super::{Done, Mode, Supervisor};
+use crate::control_loop::LoopEnd;
+use crate::ending;
+use crate::error::{Fault, RobotError};
+use crate::links::Command;
+use crate::player::{ALIGN_LIMIT_DEG, RunPhase};
+use crate::procedures::{self, Aftermath};
+use crate::run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
+use motion::JointAngles;
+use motion::plan::Plan;
+use rws::ControllerState;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use tokio::sync::{oneshot, watch};
+
+/// A pose older than this is not where the arm stands, µs.
+const POSE_AGE_US: u64 = 1_000_000;
+/// Longest wait for the control thread to report an end that it was asked for.
+const THREAD_PATIENCE: Duration = Duration::from_secs(1);
+/// Space for records: the plan, its ends, and some delay.
+const RECORDS_PER_S: f64 = 260.0;
+const RECORD_RESERVE_S: f64 = 8.0;
+
+/// The run in the making.
+pub(super) struct RunSlot {
+    id: u64,
+    stops: u64,
+    plan: Arc<Plan>,
+    stage: Stage,
+    progress: watch::Sender<RunProgress>,
+    outcome: oneshot::Sender<RunOutcome>,
+    record: Vec<CycleRecord>,
+}
+
+/// How far the run is.
+enum Stage {
+    /// The robot program is being started.
+    Starting,
+    /// It runs; the controller must begin to apply references.
+    Waiting {
+        /// What arrived before belongs to an older session, µs of the program's time.
+        since_us: u64,
+        until: Instant,
+    },
+    /// The control thread plays the plan.
+    Moving {
+        since: Instant,
+        stop_by: Option<Instant>,
+    },
+    /// The robot program is being stopped.
+    Ending(Verdict),
+}
+
+/// What is known about the end before the controller was asked.
+enum Verdict {
+    /// It never moved; nothing to be acknowledged.
+    NotBegun(RunEnd),
+    /// As the control thread saw it.
+    Thread(LoopEnd),
+    /// As the supervisor saw it.
+    Fault(Fault),
+}
+
+impl RunSlot {
+    pub(super) fn progress(&self) -> RunProgress {
+        *self.progress.borrow()
+    }
+
+    pub(super) fn is_stopping(&self) -> bool {
+        matches!(self.stage, Stage::Ending(_)) || self.progress().phase == RunPhase::Stopping
+    }
+}
+
+impl Supervisor {
+    /// Accepts a run or says why not. The arm does not move before the control thread is armed.
+    pub(super) fn start_run(
+        &mut self,
+        stops: u64,
+        plan: Arc<Plan>,
+    ) -> Result<RunHandle, RobotError> {
+        let client = self.idle_client()?;
+        self.check_pose(&plan.first())?;
+        self.runs += 1;
+        let duration_s = plan.duration_s();
+        let (progress, progress_out) = watch::channel(RunProgress {
+            phase: RunPhase::Approach,
+            t_s: 0.0,
+            duration_s,
+        });
+        let (outcome, outcome_out) = oneshot::channel();
+        let records = (duration_s + RECORD_RESERVE_S) * RECORDS_PER_S;
+        while self.links.records.pop().is_ok() {}
+        self.mode = Mode::Run(Box::new(RunSlot {
+            id: self.runs,
+            stops,
+            plan,
+            stage: Stage::Starting,
+            progress,
+            outcome,
+            record: Vec::with_capacity(records as usize),
+        }));
+        let flags = Arc::clone(&self.links.flags);
+        self.operation = Some(Box::pin(async move {
+            let stopped = || flags.stops() != stops;
+            Done::RunBegun(procedures::begin_run(&client, stopped).await)
+        }));
+        self.publish();
+        Ok(RunHandle {
+            progress: progress_out,
+            outcome: outcome_out,
+        })
+    }
+
+    fn check_pose(&self, first: &JointAngles) -> Result<(), RobotError> {
+        let (joints, _) = self
+            .seen
+            .joints(self.now_us())
+            .filter(|(_, age_us)| *age_us < POSE_AGE_US)
+            .ok_or(RobotError::PoseUnknown)?;
+        let differences = joints.0.iter().zip(&first.0).map(|(a, b)| (a - b).abs());
+        let farthest = differences.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        match farthest {
+            Some((joint, difference_deg)) if difference_deg > ALIGN_LIMIT_DEG => {
+                Err(RobotError::ArmMoved {
+                    joint,
+                    difference_deg,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn run_begun(&mut self, result: Result<(), RobotError>) {
+        let Mode::Run(slot) = &mut self.mode else {
+            return;
+        };
+        match result {
+            Ok(()) => {
+                self.seen.change(Some(ControllerState::MotorsOn), false);
+                slot.stage = Stage::Waiting {
+                    since_us: self.epoch.elapsed().as_micros() as u64,
+                    until: Instant::now() + self.config.session_timeout,
+                };
+                self.attend_run();
+            }
+            Err(error) => {
+                let end = match error {
+                    RobotError::Stopped => RunEnd::Stopped,
+                    error => RunEnd::Failed(error.to_fault()),
+                };
+                self.end_run(Verdict::NotBegun(end));
+            }
+        }
+    }
+
+    /// Looks after the present run, if there is one.
+    pub(super) fn attend_run(&mut self) {
+        let now = Instant::now();
+        let egm_is_fresh = self.seen.egm_is_fresh(self.now_us());
+        let stops = self.links.flags.stops();
+        let Mode::Run(slot) = &mut self.mode else {
+            return;
+        };
+        while let Ok(record) = self.links.records.pop() {
+            slot.record.push(record);
+        }
+        let is_stopped = stops != slot.stops;
+        let verdict = match &mut slot.stage {
+            Stage::Starting | Stage::Ending(_) => None,
+            Stage::Waiting { .. } if is_stopped => Some(Verdict::NotBegun(RunEnd::Stopped)),
+            Stage::Waiting { since_us, until } => {
+                let control = self.seen.control();
+                let arrived = control.last_arrival_us.is_some_and(|at| at > *since_us);
+                if arrived && egm_is_fresh && control.may_be_commanded {
+                    let arm = Command::Arm {
+                        run: slot.id,
+                        stops: slot.stops,
+                        plan: Arc::clone(&slot.plan),
+                    };
+                    if self.links.commands.push(arm).is_ok() {
+                        slot.stage = Stage::Moving {
+                            since: now,
+                            stop_by: None,
+                        };
+                    }
+                    None
+                } else {
+                    (now >= *until).then(|| Verdict::Fault(ending::no_session()))
+                }
+            }
+            Stage::Moving { since, stop_by } => {
+                if is_stopped && stop_by.is_none() {
+                    *stop_by = Some(now + THREAD_PATIENCE);
+                }
+                let overdue = stop_by.is_some_and(|by| now >= by);
+                let run = self.seen.control().run.filter(|run| run.run == slot.id);
+                if let Some(run) = run {
+                    slot.progress.send_modify(|progress| {
+                        progress.phase = run.phase;
+                        progress.t_s = run.plan_t_s;
+                    });
+                }
+                let never_began = run.is_none() && now >= *since + THREAD_PATIENCE;
+                match run.and_then(|run| run.end) {
+                    Some(end) => Some(Verdict::Thread(end)),
+                    None if overdue || never_began => Some(Verdict::Fault(ending::lost())),
+                    None => {
+                        let stopped_by = self.seen.controller.as_ref().and_then(ending::stopped_by);
+                        stopped_by.map(Verdict::Fault)
+                    }
+                }
+            }
+        };
+        if let Some(verdict) = verdict {
+            self.end_run(verdict);
+        }
+    }
+
+    /// Takes the arm from the control thread and stops the robot program.
+    fn end_run(&mut self, verdict: Verdict) {
+        let Mode::Run(slot) = &mut self.mode else {
+            return;
+        };
+        slot.stage = Stage::Ending(verdict);
+        // A full ring means that the control thread is behind: it ends the run by itself.
+        let _ = self.links.commands.push(Command::Disarm);
+        if let Some(client) = self.client.clone() {
+            self.operation = Some(Box::pin(async move {
+                Done::RunEnded(procedures::end_run(&client).await)
+            }));
+        }
+        self.publish();
+    }
+
+    pub(super) fn run_ended(&mut self, aftermath: Aftermath) {
+        let mode = std::mem::replace(&mut self.mode, Mode::Disconnected);
+        let Mode::Run(mut slot) = mode else {
+            self.mode = mode;
+            return;
+        };
+        while let Ok(record) = self.links.records.pop() {
+            slot.record.push(record);
+        }
+        if let Some(state) = &aftermath.controller {
+            self.seen.controller = Some(state.clone());
+        }
+        let (end, begun) = match slot.stage {
+            Stage::Ending(Verdict::NotBegun(end)) => (end, false),
+            Stage::Ending(Verdict::Thread(end)) => {
+                let moved = !matches!(end, LoopEnd::NotAtStart { .. });
+                (ending::run_end(end, aftermath.controller.as_ref()), moved)
+            }
+            Stage::Ending(Verdict::Fault(fault)) => (RunEnd::Failed(fault), true),
+            // Only a run that is ending stops the program.
+            Stage::Starting | Stage::Waiting { .. } | Stage::Moving { .. } => {
+                (RunEnd::Failed(ending::lost()), true)
+            }
+        };
+        if let Err(error) = &aftermath.stopped {
+            tracing::warn!(%error, "the robot program could not be stopped");
+            self.unfinished.run = true;
+            if matches!(error, RobotError::Controller(error) if error.is_unreachable()) {
+                self.seen.connected = false;
+            }
+        }
+        match &end {
+            RunEnd::Failed(fault) => {
+                tracing::error!(run.fault = fault.code, message = %fault.message, "the run failed");
+            }
+            end => tracing::info!(run.end = ?end, "the run is over"),
+        }
+        match &end {
+            RunEnd::Failed(fault) if begun => self.mode = Mode::Faulted(fault.clone()),
+            _ => self.come_to_rest(),
+        }
+        self.publish();
+        let _ = slot.outcome.send(RunOutcome {
+            end,
+            record: slot.record,
+        });
+    }
+}

@@ -1,0 +1,199 @@
+//! The session: authentication, headers, back-off, and the mapping of statuses to errors.
+
+use crate::hal;
+use crate::{RwsError, session::SessionCookies};
+use reqwest::header::{ACCEPT, CONTENT_TYPE};
+use reqwest::{Method, StatusCode, Url};
+use std::sync::Arc;
+use std::time::Duration;
+
+const ACCEPT_HAL: &str = "application/hal+json;v=2.0";
+// Without ";v=2.0" the controller answers 406, also to an empty body.
+const FORM: &str = "application/x-www-form-urlencoded;v=2.0";
+const BACK_OFF: [Duration; 3] = [
+    Duration::from_millis(100),
+    Duration::from_millis(250),
+    Duration::from_millis(600),
+];
+
+/// Where the controller is and how to log in.
+#[derive(Debug, Clone)]
+pub struct Config {
+    /// For example `http://127.0.0.1:8081`.
+    pub base_url: String,
+    /// Controller account.
+    pub user: String,
+    /// Its password.
+    pub password: String,
+    /// Longest wait for one answer.
+    pub timeout: Duration,
+}
+
+impl Config {
+    /// The factory account at `base_url`, two seconds per answer.
+    pub fn new(base_url: impl Into<String>) -> Self {
+        Self {
+            base_url: base_url.into(),
+            user: "Default User".to_owned(),
+            password: "robotics".to_owned(),
+            timeout: Duration::from_secs(2),
+        }
+    }
+}
+
+/// One session with one controller. Cloning shares the session.
+#[derive(Debug, Clone)]
+pub struct Client {
+    http: reqwest::Client,
+    cookies: Arc<SessionCookies>,
+    base: Url,
+    config: Arc<Config>,
+}
+
+impl Client {
+    /// Prepares a session; nothing is sent yet.
+    ///
+    /// # Errors
+    /// [`RwsError::BadAddress`] when the address is not an HTTP address.
+    pub fn new(config: Config) -> Result<Self, RwsError> {
+        let bad = |reason: String| RwsError::BadAddress {
+            url: config.base_url.clone(),
+            reason,
+        };
+        let base = Url::parse(&config.base_url).map_err(|error| bad(error.to_string()))?;
+        if base.host().is_none() || base.scheme() != "http" {
+            return Err(bad("it must look like http://host:port".to_owned()));
+        }
+        let cookies = Arc::new(SessionCookies::default());
+        let http = reqwest::Client::builder()
+            .cookie_provider(Arc::clone(&cookies))
+            // Commands to the arm must never take a detour through a proxy of the office network.
+            .no_proxy()
+            // The controller allows two connections per session.
+            .pool_max_idle_per_host(2)
+            .connect_timeout(config.timeout)
+            .timeout(config.timeout)
+            .build()
+            .map_err(|error| bad(error.to_string()))?;
+        Ok(Self {
+            http,
+            cookies,
+            base,
+            config: Arc::new(config),
+        })
+    }
+
+    /// Ends the session; this also frees the mastership that it holds.
+    ///
+    /// # Errors
+    /// As for every call; the session is forgotten here in any case.
+    pub async fn logout(&self) -> Result<(), RwsError> {
+        if !self.cookies.is_open(&self.base) {
+            return Ok(());
+        }
+        let answer = self.get("/logout").await;
+        self.cookies.clear();
+        answer.map(|_| ())
+    }
+
+    pub(crate) async fn get(&self, path: &str) -> Result<String, RwsError> {
+        self.send(Method::GET, path, None).await
+    }
+
+    pub(crate) async fn post(&self, path: &str, form: &[(&str, &str)]) -> Result<String, RwsError> {
+        self.send(Method::POST, path, Some(form)).await
+    }
+
+    /// Sends one request, logging in again once when the session was lost, and waiting a little
+    /// when the controller has no session to spare.
+    async fn send(
+        &self,
+        method: Method,
+        path: &str,
+        form: Option<&[(&str, &str)]>,
+    ) -> Result<String, RwsError> {
+        let mut logged_in_again = false;
+        let mut back_off = BACK_OFF.into_iter();
+        loop {
+            let had_session = self.cookies.is_open(&self.base);
+            let (status, text) = self
+                .send_once(method.clone(), path, form, !had_session)
+                .await
+                .map_err(|error| self.unreachable(&error))?;
+            match status {
+                StatusCode::UNAUTHORIZED if !logged_in_again => {
+                    self.cookies.clear();
+                    logged_in_again = true;
+                }
+                StatusCode::SERVICE_UNAVAILABLE => match back_off.next() {
+                    Some(pause) => tokio::time::sleep(pause).await,
+                    None => {
+                        return Err(RwsError::Busy {
+                            path: path.to_owned(),
+                        });
+                    }
+                },
+                status if status.is_success() => return Ok(text),
+                status => return Err(self.refused(path, status, &text)),
+            }
+        }
+    }
+
+    async fn send_once(
+        &self,
+        method: Method,
+        path: &str,
+        form: Option<&[(&str, &str)]>,
+        with_login: bool,
+    ) -> Result<(StatusCode, String), reqwest::Error> {
+        let url = format!("{}{path}", self.base.as_str().trim_end_matches('/'));
+        let mut request = self.http.request(method, url).header(ACCEPT, ACCEPT_HAL);
+        if with_login {
+            request = request.basic_auth(&self.config.user, Some(&self.config.password));
+        }
+        if let Some(form) = form {
+            request = request.header(CONTENT_TYPE, FORM).form(form);
+        }
+        let answer = request.send().await?;
+        let status = answer.status();
+        Ok((status, answer.text().await?))
+    }
+
+    fn unreachable(&self, error: &reqwest::Error) -> RwsError {
+        let reason = if error.is_timeout() {
+            "no answer in time".to_owned()
+        } else if error.is_connect() {
+            "no connection".to_owned()
+        } else {
+            error.to_string()
+        };
+        RwsError::Unreachable {
+            url: self.config.base_url.clone(),
+            reason,
+        }
+    }
+
+    fn refused(&self, path: &str, status: StatusCode, text: &str) -> RwsError {
+        let path = path.to_owned();
+        let (code, message) = hal::refusal(text);
+        match status {
+            StatusCode::UNAUTHORIZED => RwsError::Unauthorized {
+                user: self.config.user.clone(),
+            },
+            StatusCode::NOT_FOUND | StatusCode::GONE => RwsError::Missing { path },
+            StatusCode::FORBIDDEN | StatusCode::CONFLICT | StatusCode::BAD_REQUEST => {
+                RwsError::Refused {
+                    path,
+                    status: status.as_u16(),
+                    code,
+                    message,
+                }
+            }
+            other => RwsError::Unexpected {
+                path,
+                status: other.as_u16(),
+                message,
+            },
+        }
+    }
+}
