@@ -9,6 +9,10 @@ use crate::{
     selection::{LeftOut, Stability},
 };
 
+/// An end that is further than this from all demonstrated ends, beyond their own
+/// spread, is worth a word.
+const END_TOLERANCE_MM: f64 = 5.0;
+
 /// The report of one model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
@@ -121,6 +125,10 @@ impl Report {
                 " Its path runs {:.0} mm from what you showed on average, {:.0} mm at worst.",
                 fidelity.missed_mean_mm, fidelity.missed_max_mm
             );
+            let nearest_end = fidelity.end_mm.iter().copied().fold(f64::INFINITY, f64::min);
+            if nearest_end > fidelity.end_spread_mm + END_TOLERANCE_MM {
+                summary += &format!(" It ends {nearest_end:.0} mm away from where you ended.");
+            }
             if fidelity.missed_over_mutual.is_some_and(|ratio| ratio > 1.0) {
                 summary += " That is further than your takes are from each other: look at the preview before you run it.";
             }

@@ -54,6 +54,15 @@ pub fn tool0(joints: &JointAngles) -> Pose {
     }
 }
 
+/// Angles about the fixed axes x, y and z, in this order, that give an orientation, degrees.
+/// This is how EGM writes orientations beside quaternions.
+pub fn euler_xyz_deg(q: &Orientation) -> [f64; 3] {
+    let about_x = (2.0 * (q.w * q.x + q.y * q.z)).atan2(1.0 - 2.0 * (q.x * q.x + q.y * q.y));
+    let about_y = (2.0 * (q.w * q.y - q.z * q.x)).clamp(-1.0, 1.0).asin();
+    let about_z = (2.0 * (q.w * q.z + q.x * q.y)).atan2(1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+    [about_x, about_y, about_z].map(f64::to_degrees)
+}
+
 fn about(axis: Axis, angle_rad: f64) -> Orientation {
     let (sin, cos) = (angle_rad / 2.0).sin_cos();
     let (x, y, z) = match axis {
@@ -115,6 +124,26 @@ mod tests {
             pose *= turn;
         }
         pose
+    }
+
+    #[test]
+    fn euler_angles_are_those_of_nalgebra() {
+        for (roll, pitch, yaw) in [(10.0, 20.0, 30.0), (-170.0, -60.0, 95.0), (0.0, 0.0, -45.0)] {
+            let rotation = nalgebra::UnitQuaternion::from_euler_angles(
+                f64::to_radians(roll),
+                f64::to_radians(pitch),
+                f64::to_radians(yaw),
+            );
+            let found = euler_xyz_deg(&Orientation {
+                w: rotation.w,
+                x: rotation.i,
+                y: rotation.j,
+                z: rotation.k,
+            });
+            for (angle, expected) in found.into_iter().zip([roll, pitch, yaw]) {
+                assert!((angle - expected).abs() < 1e-9, "{found:?}");
+            }
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use egm::messages::{
     MessageType, MotorState, RapidExecState,
 };
 use egm::{ControllerTime, SequenceNumber};
-use motion::kinematics::tool0;
+use motion::kinematics::{euler_xyz_deg, tool0};
 use motion::{JOINTS, JointAngles, Orientation};
 
 use crate::clock::WallTime;
@@ -125,21 +125,14 @@ fn pose(angles: &JointAngles) -> EgmPose {
         y: u2,
         z: u3,
     } = pose.orientation;
+    let [roll, pitch, yaw] = euler_xyz_deg(&pose.orientation);
     EgmPose {
         pos: Some(EgmCartesian { x, y, z }),
         orient: Some(EgmQuaternion { u0, u1, u2, u3 }),
-        euler: Some(euler(&pose.orientation)),
-    }
-}
-
-/// Angles about the fixed axes x, y and z that give an orientation, degrees.
-fn euler(q: &Orientation) -> EgmEuler {
-    let about_y = (2.0 * (q.w * q.y - q.z * q.x)).clamp(-1.0, 1.0).asin();
-    let about_x = (2.0 * (q.w * q.x + q.y * q.z)).atan2(1.0 - 2.0 * (q.x * q.x + q.y * q.y));
-    let about_z = (2.0 * (q.w * q.z + q.x * q.y)).atan2(1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-    EgmEuler {
-        x: about_x.to_degrees(),
-        y: about_y.to_degrees(),
-        z: about_z.to_degrees(),
+        euler: Some(EgmEuler {
+            x: roll,
+            y: pitch,
+            z: yaw,
+        }),
     }
 }

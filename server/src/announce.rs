@@ -1,0 +1,52 @@
+//! What the terminal shows when the server is ready: the address, and the code for phones.
+
+use std::fmt::Write;
+
+use qrcode::QrCode;
+use qrcode::render::unicode::Dense1x2;
+
+use crate::RunningApp;
+
+/// The ready line, and for a server on the network the pairing code with its QR code.
+pub fn announcement(app: &RunningApp) -> String {
+    let mut text = format!("TEAM is ready: {}\n", app.url());
+    if let (Some(code), Some(url)) = (app.pairing_code(), app.pairing_url()) {
+        let (first, second) = code.split_at(4);
+        // Writing to a string can't fail.
+        let _ = writeln!(text, "Pairing code: {first} {second}");
+        if let Some(picture) = qr(&url) {
+            let _ = writeln!(text, "Scan it with the phone's camera:\n{picture}");
+        }
+    }
+    text
+}
+
+/// A QR code out of half blocks. What is drawn is bright on a dark terminal, so the code's bright
+/// parts are drawn and its dark ones left out.
+fn qr(url: &str) -> Option<String> {
+    let code = QrCode::new(url).ok()?;
+    let drawing = code
+        .render::<Dense1x2>()
+        .dark_color(Dense1x2::Light)
+        .light_color(Dense1x2::Dark)
+        .build();
+    Some(drawing)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_qr_code_is_a_square_of_half_blocks_with_a_bright_border() {
+        let picture = qr("http://192.0.2.1:8080/#pair=04711815").unwrap();
+        let lines: Vec<&str> = picture.lines().collect();
+        let width = lines[0].chars().count();
+        assert!(lines.iter().all(|line| line.chars().count() == width));
+        assert_eq!(lines.len(), width.div_ceil(2));
+        assert!(
+            lines[0].chars().all(|c| c == '█'),
+            "the quiet zone is bright"
+        );
+    }
+}

@@ -1,0 +1,255 @@
+//! The server as a whole: what is started in which order, and what is stopped in which order.
+
+use std::fs::{File, TryLockError};
+use std::future::Future;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use robot::{Robot, RobotConfig, RobotError, RobotKind, RobotState};
+use tokio::net::TcpListener;
+use tokio::task::JoinHandle;
+use tokio::time::timeout;
+use virtual_controller::{FaultSwitches, VirtualController};
+
+use crate::clock::{SharedClock, SystemClock};
+use crate::config::{Config, RobotChoice};
+use crate::http::{self, AppState};
+use crate::jobs::Worker;
+use crate::pairing::{Gatekeeper, PairingCode};
+use crate::store::{self, Store};
+
+#[cfg(test)]
+mod tests;
+
+/// Why the server did not start.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// The data folder can't be made or read.
+    #[error("the data folder {folder} can't be used: {source}")]
+    Folder {
+        /// Which one.
+        folder: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// Another server works with the same data.
+    #[error(
+        "another server is already using the data folder {folder}; stop it, or choose another folder with --data"
+    )]
+    FolderInUse {
+        /// Which one.
+        folder: PathBuf,
+    },
+    /// The database refused.
+    #[error(transparent)]
+    Store(#[from] store::Error),
+    /// The address of the pages is taken or not ours.
+    #[error("the address {address} can't be used: {source}; choose another with --listen")]
+    Listen {
+        /// Which one.
+        address: SocketAddr,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The robot's side did not start.
+    #[error("{error}. {}", error.advice())]
+    Robot {
+        /// Why.
+        #[from]
+        error: RobotError,
+    },
+    /// The virtual arm did not start.
+    #[error("the virtual arm did not start: {0}")]
+    VirtualArm(#[from] virtual_controller::Error),
+    /// No threads or random numbers to be had.
+    #[error("the operating system refused: {0}")]
+    System(String),
+}
+
+/// The server, not yet started.
+pub struct App;
+
+/// A server that runs. Dropping it raises the shutdown; only `shutdown` waits for it.
+pub struct RunningApp {
+    address: SocketAddr,
+    state: AppState,
+    server: JoinHandle<std::io::Result<()>>,
+    worker: Worker,
+    virtual_arm: Option<VirtualController>,
+    _lock: File,
+}
+
+impl App {
+    /// Starts everything: store, robot, virtual arm, worker, pages. What the last run left
+    /// unfinished is cleared up before the first request is answered.
+    ///
+    /// # Errors
+    /// When a part can't start; nothing is left running then.
+    pub async fn start(config: Config) -> Result<RunningApp, StartError> {
+        let lock = lock_folder(&config.data)?;
+        let store = Store::open(&config.data.join("team.sqlite")).await?;
+        let listen_error = |source| StartError::Listen {
+            address: config.listen,
+            source,
+        };
+        let listener = TcpListener::bind(config.listen)
+            .await
+            .map_err(listen_error)?;
+        let address = listener.local_addr().map_err(listen_error)?;
+        let (robot, virtual_arm) = start_robot(&config).await?;
+        let state = assemble(&config, store, robot)?;
+        recover(&state).await?;
+        let worker = Worker::start(state.queue.clone(), state.shutdown.clone())
+            .map_err(|error| StartError::System(error.to_string()))?;
+        Ok(RunningApp {
+            address,
+            server: tokio::spawn(http::serve(listener, state.clone())),
+            state,
+            worker,
+            virtual_arm,
+            _lock: lock,
+        })
+    }
+}
+
+impl RunningApp {
+    /// Where the pages are, for a browser on this computer or, when bound to the network, on a
+    /// phone.
+    pub fn url(&self) -> String {
+        format!(
+            "http://{}/",
+            SocketAddr::new(reachable(self.address.ip()), self.address.port())
+        )
+    }
+
+    /// The code that a phone needs; nothing when only this computer can reach the server.
+    pub fn pairing_code(&self) -> Option<&str> {
+        let gatekeeper = self.state.gatekeeper.as_ref()?;
+        Some(gatekeeper.code().as_str())
+    }
+
+    /// Where a phone is paired by opening it.
+    pub fn pairing_url(&self) -> Option<String> {
+        Some(format!("{}#pair={}", self.url(), self.pairing_code()?))
+    }
+
+    /// The faults that tests can bring about in the virtual arm.
+    pub fn virtual_faults(&self) -> Option<FaultSwitches> {
+        self.virtual_arm.as_ref().map(VirtualController::faults)
+    }
+
+    /// Stops the arm, closes recordings, gives jobs back to the queue, and ends.
+    pub async fn shutdown(mut self) {
+        let state = self.state.clone();
+        let moving = state.robot.view().borrow().state;
+        if matches!(moving, RobotState::Reproducing | RobotState::Stopping) {
+            state.robot.stop();
+        }
+        state.shutdown.raise();
+        within(5, "closing the recording", state.recorder.close()).await;
+        state.robot.stop();
+        within(10, "the end of the motion", state.reproducer.settled()).await;
+        within(5, "giving back the job", self.worker.ended()).await;
+        within(5, "the last answers", async {
+            if let Err(error) = (&mut self.server).await {
+                tracing::error!(%error, "the web server broke off");
+            }
+        })
+        .await;
+        self.server.abort();
+        within(5, "logging out of the controller", state.robot.shutdown()).await;
+        if let Some(virtual_arm) = self.virtual_arm.take() {
+            virtual_arm.stop().await;
+        }
+        state.store.close().await;
+    }
+}
+
+async fn within(seconds: u64, what: &str, work: impl Future<Output = ()>) {
+    if timeout(Duration::from_secs(seconds), work).await.is_err() {
+        tracing::warn!("{what} took too long; the server stops all the same");
+    }
+}
+
+/// Two servers on one database would record and train over each other.
+fn lock_folder(folder: &Path) -> Result<File, StartError> {
+    let folder_error = |source| StartError::Folder {
+        folder: folder.to_owned(),
+        source,
+    };
+    std::fs::create_dir_all(folder).map_err(folder_error)?;
+    let lock = File::create(folder.join("lock")).map_err(folder_error)?;
+    match lock.try_lock() {
+        Ok(()) => Ok(lock),
+        Err(TryLockError::WouldBlock) => Err(StartError::FolderInUse {
+            folder: folder.to_owned(),
+        }),
+        Err(TryLockError::Error(source)) => Err(folder_error(source)),
+    }
+}
+
+async fn start_robot(config: &Config) -> Result<(Robot, Option<VirtualController>), StartError> {
+    let kind = match config.robot {
+        RobotChoice::Virtual => RobotKind::Virtual,
+        RobotChoice::None => RobotKind::None,
+    };
+    // The virtual arm is on this computer, and nobody else has any business at its port.
+    let egm_listen = SocketAddr::from((Ipv4Addr::LOCALHOST, config.egm_port));
+    let robot = Robot::start(RobotConfig::new(kind, egm_listen)).await?;
+    if kind == RobotKind::None {
+        return Ok((robot, None));
+    }
+    let arm = virtual_controller::Config::new(robot.egm_addr());
+    let arm = VirtualController::start(arm).await?;
+    robot.connect(format!("http://{}", arm.rws_addr())).await?;
+    Ok((robot, Some(arm)))
+}
+
+fn assemble(config: &Config, store: Store, robot: Robot) -> Result<AppState, StartError> {
+    let clock: SharedClock = Arc::new(SystemClock);
+    let gatekeeper = if config.listen.ip().is_loopback() {
+        None
+    } else {
+        let code = PairingCode::random().map_err(|error| StartError::System(error.to_string()))?;
+        Some(Arc::new(Gatekeeper::new(code)))
+    };
+    Ok(AppState::new(store, clock, robot, config.robot, gatekeeper))
+}
+
+async fn recover(state: &AppState) -> Result<(), StartError> {
+    for demonstration in state.recorder.recover().await? {
+        tracing::warn!(demonstration.id = %demonstration.id, "a recording had been cut off");
+    }
+    for (count, what) in [
+        (
+            state.reproducer.recover().await?,
+            "motions had been cut off",
+        ),
+        (
+            state.queue.recover().await?,
+            "jobs had been cut off and wait again",
+        ),
+    ] {
+        if count > 0 {
+            tracing::warn!(count, "{what}");
+        }
+    }
+    Ok(())
+}
+
+/// An address under which a server bound to `ip` is found. A server that is bound to every
+/// address is found under the one that leads to the network.
+fn reachable(ip: IpAddr) -> IpAddr {
+    if !ip.is_unspecified() {
+        return ip;
+    }
+    // Connecting a UDP socket sends nothing; it only makes the system choose an address.
+    let towards_the_network = || {
+        let socket = UdpSocket::bind((Ipv4Addr::UNSPECIFIED, 0))?;
+        socket.connect((Ipv4Addr::new(192, 0, 2, 1), 9))?;
+        socket.local_addr()
+    };
+    towards_the_network().map_or(Ipv4Addr::LOCALHOST.into(), |address| address.ip())
+}

@@ -1,0 +1,55 @@
+//! The command line beside the server: training and reproduction on files.
+
+mod folder;
+pub mod reproduce;
+mod terminal;
+pub mod train;
+
+/// Why a command failed; printed to people, with what to do about it.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// A file or folder that cannot be read or written.
+    #[error("{path}: {source}")]
+    File {
+        /// The path as given.
+        path: String,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// A folder without recordings.
+    #[error(
+        "{path}: no recordings (.json or .csv) in this folder\nGive the folder that holds the demonstrations of one task."
+    )]
+    NoRecordings {
+        /// The path as given.
+        path: String,
+    },
+    /// An option that makes no sense.
+    #[error("{0}")]
+    Usage(String),
+    /// A file that is no model.
+    #[error("{path}: {error}\n{}", .error.advice())]
+    Model {
+        /// The path as given.
+        path: String,
+        /// What is wrong with it.
+        error: learning::Error,
+    },
+    /// The library refused.
+    #[error("{error}\n{}", error.advice())]
+    Learning {
+        /// What it refused.
+        #[from]
+        error: learning::Error,
+    },
+    /// Threads could not be started.
+    #[error("the worker threads could not be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+impl CliError {
+    fn file(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> CliError {
+        let path = path.display().to_string();
+        move |source| CliError::File { path, source }
+    }
+}

@@ -1,0 +1,111 @@
+//! The whole configuration as typed values, and the command line that fills them in.
+
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::cli;
+
+/// Which arm the server works with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, serde::Serialize, utoipa::ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RobotChoice {
+    /// The virtual GoFa that comes with the server.
+    Virtual,
+    /// No arm: for training from files and looking at results.
+    None,
+}
+
+/// What the server needs to know to start.
+#[derive(Clone, Debug, Args)]
+pub struct Config {
+    /// Address and port of the web pages. Anything but a loopback address asks every client for
+    /// the pairing code. Port 0 takes any free port.
+    #[arg(long, env = "TEAM_LISTEN", default_value_t = Config::DEFAULT_LISTEN)]
+    pub listen: SocketAddr,
+    /// UDP port on which the arm's controller reaches the server (EGM). 0 takes any free port.
+    #[arg(long, env = "TEAM_EGM_PORT", default_value_t = 6510)]
+    pub egm_port: u16,
+    /// Folder of the database. It is made if it is not there.
+    #[arg(long, env = "TEAM_DATA", default_value = "./data")]
+    pub data: PathBuf,
+    /// The arm.
+    #[arg(long, env = "TEAM_ROBOT", value_enum, default_value_t = RobotChoice::Virtual)]
+    pub robot: RobotChoice,
+}
+
+impl Config {
+    const DEFAULT_LISTEN: SocketAddr =
+        SocketAddr::new(std::net::IpAddr::V4(Ipv4Addr::LOCALHOST), 8080);
+}
+
+/// The command line of `team`.
+#[derive(Debug, Parser)]
+#[command(name = "team", version, about = "Teach a robot arm to move, by hand")]
+pub struct CommandLine {
+    /// What to do; without it, the server starts.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// For the server.
+    #[command(flatten)]
+    pub config: Config,
+}
+
+/// What `team` can do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Start the server (the same as no command).
+    Serve(Config),
+    /// Train a model from recorded files.
+    Train(cli::train::Args),
+    /// Reproduce a model into numbers.
+    Reproduce(cli::reproduce::Args),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn served(arguments: &[&str]) -> Config {
+        let line = CommandLine::try_parse_from(arguments).unwrap();
+        match line.command {
+            Some(Command::Serve(config)) => config,
+            None => line.config,
+            other => panic!("{other:?} is not a server"),
+        }
+    }
+
+    #[test]
+    fn without_arguments_the_virtual_arm_is_served_on_this_computer_only() {
+        let config = served(&["team"]);
+        assert_eq!(config.listen.to_string(), "127.0.0.1:8080");
+        assert_eq!(
+            (config.egm_port, config.robot),
+            (6510, RobotChoice::Virtual)
+        );
+        assert_eq!(config.data, PathBuf::from("./data"));
+    }
+
+    #[test]
+    fn flags_mean_the_same_with_and_without_the_word_serve() {
+        let flags = [
+            "--listen",
+            "0.0.0.0:80",
+            "--egm-port",
+            "0",
+            "--robot",
+            "none",
+        ];
+        for words in [&["team"][..], &["team", "serve"][..]] {
+            let config = served(&[words, &flags[..]].concat());
+            assert_eq!(config.listen.to_string(), "0.0.0.0:80");
+            assert_eq!((config.egm_port, config.robot), (0, RobotChoice::None));
+        }
+    }
+
+    #[test]
+    fn an_address_without_a_port_is_refused() {
+        assert!(CommandLine::try_parse_from(["team", "--listen", "127.0.0.1"]).is_err());
+    }
+}

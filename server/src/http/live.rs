@@ -1,0 +1,158 @@
+//! The live socket: the whole picture first, then every change, and the arm about 20 times a
+//! second. A client may stop the arm through it.
+
+use std::time::Duration;
+
+use axum::extract::State;
+use axum::extract::ws::rejection::WebSocketUpgradeRejection;
+use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
+use axum::response::Response;
+use futures_util::stream::{SplitSink, SplitStream};
+use futures_util::{SinkExt, StreamExt};
+use serde::{Deserialize, Serialize};
+use tokio::sync::broadcast::error::RecvError;
+use tokio::time::{MissedTickBehavior, interval};
+
+use super::auth::Actor;
+use super::error::{ApiError, Problem};
+use super::robot::RobotAnswer;
+use super::state::AppState;
+use crate::store;
+use crate::store::demonstrations::Demonstration;
+use crate::store::jobs::Job;
+use crate::store::reproductions::Reproduction;
+
+/// How often a client hears of the arm while it changes.
+const ROBOT_EVERY: Duration = Duration::from_millis(50);
+/// An arm that nothing is heard of is told again after this many of those, so that a client can
+/// tell a silent arm from a lost connection.
+const QUIET_TICKS: u32 = 20;
+/// A client sends nothing longer than a short command.
+const LONGEST_MESSAGE: usize = 4_096;
+
+/// The whole picture.
+#[derive(Serialize)]
+#[serde(tag = "type", rename = "snapshot")]
+struct Snapshot {
+    robot: RobotAnswer,
+    demonstration: Option<Demonstration>,
+    jobs: Vec<Job>,
+    reproduction: Option<Reproduction>,
+}
+
+/// The arm.
+#[derive(Serialize)]
+#[serde(tag = "type", rename = "robot")]
+struct RobotNow {
+    robot: RobotAnswer,
+}
+
+/// What a client may send.
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+enum Command {
+    Stop,
+}
+
+/// Opens the live socket: first a message of type "snapshot", then "robot", "demonstration", "job",
+/// "model" and "reproduction" as they change. A client may send {"type": "stop"}.
+#[utoipa::path(get, path = "/live", tag = "robot", responses(
+    (status = 101, description = "The socket is open"),
+    (status = 400, description = "Not a WebSocket request", body = Problem, content_type = "application/problem+json"),
+))]
+pub async fn open(
+    State(state): State<AppState>,
+    Actor(actor): Actor,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Result<Response, ApiError> {
+    let upgrade = upgrade?;
+    Ok(upgrade
+        .max_message_size(LONGEST_MESSAGE)
+        .on_upgrade(move |socket| serve(state, actor, socket)))
+}
+
+/// Runs until either side leaves. Receiving does not wait for sending: a stop gets through even
+/// when the client is too slow to take what is sent to it.
+async fn serve(state: AppState, actor: String, socket: WebSocket) {
+    let (sender, receiver) = socket.split();
+    tokio::select! {
+        () = receive(&state, &actor, receiver) => {}
+        result = send(&state, sender) => {
+            if let Err(error) = result {
+                tracing::debug!(%error, "a live socket ended");
+            }
+        }
+        () = state.shutdown.raised() => {}
+    }
+}
+
+async fn receive(state: &AppState, actor: &str, mut receiver: SplitStream<WebSocket>) {
+    while let Some(Ok(message)) = receiver.next().await {
+        match message {
+            Message::Text(text) => {
+                if let Ok(Command::Stop) = serde_json::from_str(&text) {
+                    state.robot.stop();
+                    state.audit(actor, "stopped the arm", "robot").await;
+                }
+            }
+            Message::Close(_) => return,
+            Message::Binary(_) | Message::Ping(_) | Message::Pong(_) => {}
+        }
+    }
+}
+
+type Sender = SplitSink<WebSocket, Message>;
+
+#[derive(Debug, thiserror::Error)]
+enum SendError {
+    #[error(transparent)]
+    Socket(#[from] axum::Error),
+    #[error(transparent)]
+    Store(#[from] store::Error),
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+    #[error("the robot is gone")]
+    RobotGone,
+}
+
+async fn send(state: &AppState, mut sender: Sender) -> Result<(), SendError> {
+    let mut events = state.events.listen();
+    let mut robot = state.robot.view();
+    send_json(&mut sender, &snapshot(state).await?).await?;
+    let mut tick = interval(ROBOT_EVERY);
+    tick.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    let mut quiet = 0;
+    loop {
+        tokio::select! {
+            event = events.recv() => match event {
+                Ok(event) => send_json(&mut sender, &event).await?,
+                Err(RecvError::Lagged(_)) => {
+                    send_json(&mut sender, &snapshot(state).await?).await?;
+                }
+                Err(RecvError::Closed) => return Ok(()),
+            },
+            _ = tick.tick() => {
+                quiet += 1;
+                if robot.has_changed().map_err(|_| SendError::RobotGone)? || quiet >= QUIET_TICKS {
+                    quiet = 0;
+                    let robot = RobotAnswer::from(&*robot.borrow_and_update());
+                    send_json(&mut sender, &RobotNow { robot }).await?;
+                }
+            }
+        }
+    }
+}
+
+async fn snapshot(state: &AppState) -> Result<Snapshot, store::Error> {
+    Ok(Snapshot {
+        demonstration: state.store.open_demonstration().await?,
+        jobs: state.store.open_jobs().await?,
+        reproduction: state.store.running_reproduction().await?,
+        robot: RobotAnswer::from(&*state.robot.view().borrow()),
+    })
+}
+
+async fn send_json(sender: &mut Sender, value: &impl Serialize) -> Result<(), SendError> {
+    let text = serde_json::to_string(value)?;
+    Ok(sender.send(Message::Text(text.into())).await?)
+}

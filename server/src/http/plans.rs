@@ -1,0 +1,187 @@
+//! Plans: a motion is computed, checked and shown before the arm may make it.
+
+use axum::extract::State;
+use motion::JointAngles;
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+use super::error::{ApiError, Problem};
+use super::extract::Json;
+use super::state::AppState;
+use super::trajectories::plan_columns;
+use crate::ids::ModelId;
+use crate::planning::{PlanRequest, Target};
+use crate::plans::KnownPlan;
+use crate::training;
+
+/// How many points of a plan are sent for its plot.
+const POINTS: usize = 400;
+/// An older pose is not where the arm stands now.
+const FRESH_MS: u64 = 1_000;
+
+/// A motion to be planned.
+#[derive(Debug, Deserialize, ToSchema)]
+pub struct NewPlan {
+    /// By which model.
+    model_id: ModelId,
+    /// Where it begins; as taught when it is missing.
+    #[serde(default)]
+    start: Place,
+    /// Where it ends; as taught when it is missing.
+    #[serde(default)]
+    goal: Place,
+    /// Its speed, from 0.05 to 1, as a share of the taught one.
+    #[serde(default = "full_speed")]
+    speed: f64,
+}
+
+/// A pose of the arm.
+#[derive(Clone, Copy, Debug, Default, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case", untagged)]
+pub enum Place {
+    /// One that the server knows.
+    Named(NamedPlace),
+    /// Any other.
+    Joints(JointPlace),
+    /// As taught.
+    #[serde(skip)]
+    #[default]
+    Missing,
+}
+
+/// A pose that the server knows.
+#[derive(Clone, Copy, Debug, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NamedPlace {
+    /// As it was shown.
+    AsTaught,
+    /// Where the arm stands now.
+    Present,
+}
+
+/// Any pose.
+#[derive(Clone, Copy, Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointPlace {
+    /// Joint angles in degrees.
+    joints_deg: [f64; 6],
+}
+
+/// A motion that the gate approved.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct Plan {
+    /// Names exactly this motion (SHA-256); a reproduction is started with it.
+    plan: String,
+    /// By which model.
+    model_id: ModelId,
+    /// Where it begins, in degrees per joint.
+    start_deg: [f64; 6],
+    /// Where it ends, in degrees per joint.
+    goal_deg: [f64; 6],
+    /// How long it takes with the approach, in seconds.
+    duration_s: f64,
+    /// How long the arm takes to come to the start, in seconds.
+    approach_s: f64,
+    /// By what factor it was made slower so that it keeps the arm's limits; 1 when it was not.
+    slowed_by: f64,
+    /// What a person should know before starting it.
+    warnings: Vec<String>,
+    /// The result of the check in a sentence.
+    verdict: String,
+    /// Times in seconds.
+    t_s: Vec<f64>,
+    /// For each joint, its angle at these times in degrees.
+    joints_deg: Vec<Vec<f64>>,
+    /// For x, y and z, the tool's position at these times in millimetres.
+    tcp_mm: Vec<Vec<f64>>,
+    /// The largest values on the way.
+    peak: Peak,
+}
+
+/// The largest values on the way.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct Peak {
+    /// For each joint, its speed in degrees per second.
+    joint_speed_deg_s: [f64; 6],
+    /// The tool's speed in millimetres per second.
+    tcp_speed_mm_s: f64,
+}
+
+/// Plans a motion and has it checked.
+#[utoipa::path(post, path = "/plans", tag = "reproductions", request_body = NewPlan, responses(
+    (status = 200, body = Plan),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
+    (status = 409, description = "The motion is not allowed, with where and why", body = Problem, content_type = "application/problem+json"),
+    (status = 422, body = Problem, content_type = "application/problem+json"),
+))]
+pub async fn create(
+    State(state): State<AppState>,
+    Json(new): Json<NewPlan>,
+) -> Result<Json<Plan>, ApiError> {
+    let request = PlanRequest {
+        start: target(new.start),
+        goal: target(new.goal),
+        speed: new.speed,
+    };
+    let task_id = state.store.model(new.model_id).await?.task_id;
+    let model = training::load(&state.store, new.model_id).await?;
+    let present = present_pose(&state);
+    let planned = tokio::task::spawn_blocking(move || {
+        KnownPlan::make(task_id, new.model_id, model, &request, present)
+    })
+    .await
+    .map_err(|error| ApiError::internal(&error))??;
+    let known = state.plans.remember(planned);
+    Ok(Json(answer(&known)))
+}
+
+fn full_speed() -> f64 {
+    1.0
+}
+
+/// Where the arm stands, if that was heard of lately.
+fn present_pose(state: &AppState) -> Option<JointAngles> {
+    let view = state.robot.view();
+    let view = view.borrow();
+    let fresh = view.age_ms <= FRESH_MS;
+    view.joints_deg.filter(|_| fresh).map(JointAngles)
+}
+
+fn verdict(known: &KnownPlan) -> String {
+    let limits = "The whole motion keeps to the arm's limits.";
+    if known.slowed_by > 1.001 {
+        let factor = known.slowed_by;
+        return format!("{limits} For that it is {factor:.1} times slower than asked for.");
+    }
+    limits.into()
+}
+
+fn target(place: Place) -> Target {
+    match place {
+        Place::Missing | Place::Named(NamedPlace::AsTaught) => Target::AsTaught,
+        Place::Named(NamedPlace::Present) => Target::Present,
+        Place::Joints(JointPlace { joints_deg }) => Target::Joints(JointAngles(joints_deg)),
+    }
+}
+
+fn answer(known: &KnownPlan) -> Plan {
+    let (t_s, joints_deg, tcp_mm) = plan_columns(&known.plan, POINTS);
+    Plan {
+        plan: known.plan.hash().to_owned(),
+        model_id: known.model_id,
+        start_deg: known.start.0,
+        goal_deg: known.goal.0,
+        duration_s: known.plan.duration_s(),
+        approach_s: known.plan.approach_s(),
+        slowed_by: known.slowed_by,
+        warnings: known.warnings.clone(),
+        verdict: verdict(known),
+        t_s,
+        joints_deg,
+        tcp_mm,
+        peak: Peak {
+            joint_speed_deg_s: known.inspection.peak_joint_speed_deg_s,
+            tcp_speed_mm_s: known.inspection.peak_tcp_speed_mm_s,
+        },
+    }
+}

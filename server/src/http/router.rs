@@ -1,0 +1,89 @@
+//! Every route on one page.
+
+use axum::extract::DefaultBodyLimit;
+use axum::routing::get;
+use axum::{Router, middleware};
+use tower_http::catch_panic::CatchPanicLayer;
+use tower_http::trace::TraceLayer;
+use utoipa::OpenApi;
+use utoipa::openapi::OpenApi as Document;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+use super::state::AppState;
+use super::{
+    assets, auth, demonstrations, headers, health, jobs, live, models, plans, reproductions, robot,
+    session, tasks,
+};
+
+/// Requests are small; only recorded files are not.
+const BODY_BYTES: usize = 256 * 1024;
+const UPLOAD_BYTES: usize = 16 * 1024 * 1024;
+
+#[derive(OpenApi)]
+#[openapi(info(
+    title = "TEAM",
+    description = "Teach a robot arm to move: record, train, preview, reproduce."
+))]
+struct Description;
+
+/// The whole server as one service.
+pub fn router(state: AppState) -> Router {
+    let (api, document) = api().split_for_parts();
+    let api = api
+        .route("/openapi.json", get(async move || axum::Json(document)))
+        .fallback(headers::unknown_route)
+        .method_not_allowed_fallback(headers::unknown_method)
+        .layer(DefaultBodyLimit::max(BODY_BYTES));
+    Router::new()
+        .nest("/api/v1", api)
+        .fallback(assets::serve)
+        .layer(middleware::from_fn_with_state(state.clone(), auth::guard))
+        .layer(CatchPanicLayer::custom(headers::panicked))
+        .layer(middleware::from_fn(headers::secure))
+        .layer(TraceLayer::new_for_http())
+        .with_state(state)
+}
+
+fn api() -> OpenApiRouter<AppState> {
+    let upload = OpenApiRouter::new()
+        .routes(routes!(demonstrations::upload))
+        .layer(DefaultBodyLimit::max(UPLOAD_BYTES));
+    OpenApiRouter::with_openapi(described())
+        .routes(routes!(health::show))
+        .routes(routes!(session::show, session::pair))
+        .routes(routes!(tasks::list, tasks::create))
+        .routes(routes!(tasks::show, tasks::rename, tasks::delete))
+        .routes(routes!(demonstrations::list, demonstrations::record))
+        .routes(routes!(demonstrations::show))
+        .routes(routes!(demonstrations::trajectory))
+        .routes(routes!(demonstrations::download))
+        .routes(routes!(demonstrations::stop))
+        .routes(routes!(demonstrations::keep))
+        .routes(routes!(demonstrations::discard))
+        .routes(routes!(models::list, models::train))
+        .routes(routes!(models::show))
+        .routes(routes!(models::file))
+        .routes(routes!(models::curve))
+        .routes(routes!(jobs::list))
+        .routes(routes!(jobs::show))
+        .routes(routes!(jobs::cancel))
+        .routes(routes!(robot::show))
+        .routes(routes!(robot::stop))
+        .routes(routes!(robot::reset))
+        .routes(routes!(robot::lead_through))
+        .routes(routes!(robot::virtual_hand))
+        .routes(routes!(live::open))
+        .routes(routes!(plans::create))
+        .routes(routes!(reproductions::list, reproductions::start))
+        .routes(routes!(reproductions::show))
+        .routes(routes!(reproductions::stop))
+        .routes(routes!(reproductions::trajectory))
+        .merge(upload)
+}
+
+fn described() -> Document {
+    let mut document = Description::openapi();
+    document.servers = Some(vec![utoipa::openapi::Server::new("/api/v1")]);
+    document
+}

@@ -1,0 +1,86 @@
+//! What every handler can reach.
+
+use std::sync::Arc;
+
+use robot::Robot;
+
+use crate::clock::SharedClock;
+use crate::config::RobotChoice;
+use crate::events::Events;
+use crate::jobs::Queue;
+use crate::pairing::Gatekeeper;
+use crate::plans::Plans;
+use crate::recording::Recorder;
+use crate::reproducing::Reproducer;
+use crate::shutdown::Shutdown;
+use crate::store::Store;
+
+/// The parts of the server. Cheap to clone.
+#[derive(Clone)]
+pub struct AppState {
+    /// The database.
+    pub store: Store,
+    /// Where changes are told.
+    pub events: Events,
+    /// The time.
+    pub clock: SharedClock,
+    /// The arm.
+    pub robot: Robot,
+    /// Which arm it is.
+    pub choice: RobotChoice,
+    /// Begins and ends recordings.
+    pub recorder: Recorder,
+    /// Background work.
+    pub queue: Queue,
+    /// Starts motions.
+    pub reproducer: Reproducer,
+    /// Previewed motions.
+    pub plans: Arc<Plans>,
+    /// Checks pairing codes; nothing when only this computer can reach the server.
+    pub gatekeeper: Option<Arc<Gatekeeper>>,
+    /// Raised when the server stops.
+    pub shutdown: Shutdown,
+}
+
+impl AppState {
+    /// Puts the parts together around a store and a robot.
+    pub fn new(
+        store: Store,
+        clock: SharedClock,
+        robot: Robot,
+        choice: RobotChoice,
+        gatekeeper: Option<Arc<Gatekeeper>>,
+    ) -> Self {
+        let events = Events::default();
+        let plans = Arc::new(Plans::default());
+        let parts = || (store.clone(), events.clone(), Arc::clone(&clock));
+        let (s, e, c) = parts();
+        let recorder = Recorder::new(s, e, c, robot.clone());
+        let (s, e, c) = parts();
+        let queue = Queue::new(s, e, c);
+        let (s, e, c) = parts();
+        let reproducer = Reproducer::new(s, e, c, robot.clone(), Arc::clone(&plans));
+        Self {
+            store,
+            events,
+            clock,
+            robot,
+            choice,
+            recorder,
+            queue,
+            reproducer,
+            plans,
+            gatekeeper,
+            shutdown: Shutdown::default(),
+        }
+    }
+
+    /// Writes down who did what. A trail that can't be written does not stop the work.
+    pub async fn audit(&self, actor: &str, action: &str, subject: impl std::fmt::Display) {
+        let now = self.clock.now();
+        let subject = subject.to_string();
+        if let Err(error) = self.store.audit(actor, action, &subject, now).await {
+            tracing::error!(actor, action, subject, %error, "an audit event could not be stored");
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! `team`.
+
+fn main() -> std::process::ExitCode {
+    server::program::run()
+}

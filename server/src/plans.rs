@@ -1,0 +1,108 @@
+//! The plans that were previewed and may be run: the latest few, in memory.
+//!
+//! A plan is worth little after a restart, because the arm may have been moved; so nothing is
+//! stored, and a client previews again.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use motion::JointAngles;
+use motion::gate::Inspection;
+use motion::limits::RobotLimits;
+use motion::plan::Plan;
+
+use crate::ids::{ModelId, TaskId};
+use crate::planning::{self, PlanError, PlanRequest};
+
+/// How many plans are remembered.
+const REMEMBERED: usize = 32;
+/// How many samples they may have together: about 20 MB.
+const SAMPLES: usize = 200_000;
+
+/// A previewed motion with where it comes from.
+pub struct KnownPlan {
+    /// What is to be reproduced.
+    pub task_id: TaskId,
+    /// By which model.
+    pub model_id: ModelId,
+    /// The model, for comparing the outcome with what was learnt.
+    pub model: learning::Model,
+    /// The samples that the gate approved.
+    pub plan: Arc<Plan>,
+    /// Where the motion proper begins.
+    pub start: JointAngles,
+    /// Where it ends.
+    pub goal: JointAngles,
+    /// How many times slower than asked for the limits made it.
+    pub slowed_by: f64,
+    /// How many times slower than taught it is.
+    pub stretch: f64,
+    /// What the gate saw.
+    pub inspection: Inspection,
+    /// Remarks for people.
+    pub warnings: Vec<String>,
+}
+
+impl KnownPlan {
+    /// Plans a motion for this arm. CPU-heavy: not for the async threads.
+    ///
+    /// # Errors
+    /// When the motion is not allowed.
+    pub fn make(
+        task_id: TaskId,
+        model_id: ModelId,
+        model: learning::Model,
+        request: &PlanRequest,
+        present: Option<JointAngles>,
+    ) -> Result<Self, PlanError> {
+        let motion = planning::plan(&model, request, present, &RobotLimits::gofa5())?;
+        Ok(Self {
+            task_id,
+            model_id,
+            model,
+            plan: Arc::new(motion.plan),
+            start: motion.start,
+            goal: motion.goal,
+            slowed_by: motion.slowed_by,
+            stretch: motion.stretch,
+            inspection: motion.inspection,
+            warnings: motion.warnings,
+        })
+    }
+}
+
+/// The latest plans by their hash.
+#[derive(Default)]
+pub struct Plans(Mutex<VecDeque<Arc<KnownPlan>>>);
+
+impl Plans {
+    /// Remembers a plan; the oldest ones beyond the limits are forgotten.
+    pub fn remember(&self, plan: KnownPlan) -> Arc<KnownPlan> {
+        let plan = Arc::new(plan);
+        let mut plans = self.lock();
+        plans.retain(|known| known.plan.hash() != plan.plan.hash());
+        plans.push_back(Arc::clone(&plan));
+        while plans.len() > 1 && (plans.len() > REMEMBERED || held(&plans) > SAMPLES) {
+            plans.pop_front();
+        }
+        plan
+    }
+
+    /// The plan with this hash.
+    pub fn find(&self, hash: &str) -> Option<Arc<KnownPlan>> {
+        let plans = self.lock();
+        plans
+            .iter()
+            .find(|known| known.plan.hash() == hash)
+            .map(Arc::clone)
+    }
+
+    fn lock(&self) -> MutexGuard<'_, VecDeque<Arc<KnownPlan>>> {
+        // The list is valid after every single operation, so a panic elsewhere can't spoil it.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn held(plans: &VecDeque<Arc<KnownPlan>>) -> usize {
+    plans.iter().map(|known| known.plan.samples().len()).sum()
+}

@@ -1,0 +1,282 @@
+//! One recording: samples come in, chunks go out, until somebody or something ends it.
+
+use std::time::Duration;
+
+use robot::{GuidanceEvent, HandActivity, HandCommand, RobotView};
+use tokio::sync::watch;
+use tokio::time::{Instant, MissedTickBehavior, interval, sleep_until};
+
+use super::{HandShowing, SERVER_STOPPED, Samples, Stop, Tools};
+use crate::ids::DemonstrationId;
+use crate::jobs::demonstration_of;
+use crate::store;
+use crate::store::demonstrations::DemonstrationState;
+use crate::store::recordings::{Closing, Gap, NewSamples};
+use crate::store::samples::Sample;
+use crate::words::sentence;
+
+/// A crash costs at most what came in since the last chunk.
+const COMMIT_EVERY: Duration = Duration::from_millis(200);
+/// A recording that nobody ends, because the phone's battery ran out, ends itself.
+const LONGEST: Duration = Duration::from_secs(20 * 60);
+/// One recording on its way.
+pub(super) struct Session {
+    tools: Tools,
+    id: DemonstrationId,
+    incoming: Samples,
+    stop: watch::Receiver<Stop>,
+    begin_us: Option<u64>,
+    seq: usize,
+    samples: Vec<Sample>,
+    gaps: Vec<Gap>,
+}
+
+/// Why a recording ended.
+enum End {
+    /// Somebody pressed stop, or the hand was done: all is well.
+    Wanted,
+    /// Something else ended it; the words are for people.
+    Note(String),
+}
+
+impl Session {
+    pub(super) fn new(
+        tools: Tools,
+        id: DemonstrationId,
+        incoming: Samples,
+        stop: watch::Receiver<Stop>,
+    ) -> Self {
+        Self {
+            tools,
+            id,
+            incoming,
+            stop,
+            begin_us: None,
+            seq: 0,
+            samples: Vec::new(),
+            gaps: Vec::new(),
+        }
+    }
+
+    /// Records until the end, whatever it is, and closes the demonstration.
+    pub(super) async fn run(mut self, hand: Option<HandShowing>) {
+        let end = match hand {
+            Some(hand) => match self.prepare(hand).await {
+                Ok(()) => self.record(Some(hand)).await,
+                Err(end) => end,
+            },
+            None => self.record(None).await,
+        };
+        // Nobody can stop it any more; who wants the arm next waits for the rest.
+        self.stop = watch::channel(Stop::No).1;
+        self.tools.stiff_arm().await;
+        if let Err(error) = self.close(end).await {
+            tracing::error!(demonstration.id = %self.id, %error, "a recording could not be closed");
+        }
+    }
+
+    /// Has the hand bring the arm to where the showing begins; nothing is kept of that.
+    async fn prepare(&mut self, hand: HandShowing) -> Result<(), End> {
+        let HandShowing { script, seed } = hand;
+        let view = self.tools.robot.view();
+        let command = HandCommand::Return { script, seed };
+        self.tools
+            .robot
+            .virtual_hand(command)
+            .await
+            .map_err(refused)?;
+        let mut done = std::pin::pin!(hand_done(view, HandActivity::Returning));
+        loop {
+            tokio::select! {
+                biased;
+                end = stopped(&mut self.stop) => return Err(end),
+                event = self.incoming.recv() => {
+                    if let Some(end) = end_in(event.as_ref()) {
+                        return Err(end);
+                    }
+                }
+                () = &mut done => break,
+            }
+        }
+        let demonstration = self
+            .tools
+            .store
+            .begin_recording(self.id)
+            .await
+            .map_err(unstored)?;
+        self.tools.events.tell(&demonstration);
+        Ok(())
+    }
+
+    async fn record(&mut self, hand: Option<HandShowing>) -> End {
+        // What is still queued was made before the recording began.
+        if hand.is_some() {
+            while self.incoming.try_recv().is_ok() {}
+        }
+        let view = self.tools.robot.view();
+        if let Some(HandShowing { script, seed }) = hand {
+            let command = HandCommand::Show { script, seed };
+            if let Err(error) = self.tools.robot.virtual_hand(command).await {
+                return refused(error);
+            }
+        }
+        let mut done = std::pin::pin!(async {
+            match hand {
+                Some(_) => hand_done(view, HandActivity::Showing).await,
+                None => std::future::pending().await,
+            }
+        });
+        let mut commit = interval(COMMIT_EVERY);
+        commit.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        let too_long = Instant::now() + LONGEST;
+        let end = loop {
+            tokio::select! {
+                biased;
+                end = stopped(&mut self.stop) => break end,
+                () = &mut done => break End::Wanted,
+                () = sleep_until(too_long) => break End::Note(
+                    "The recording was ended after 20 minutes.".into()
+                ),
+                _ = commit.tick() => {
+                    if let Err(error) = self.commit().await {
+                        break unstored(error);
+                    }
+                }
+                event = self.incoming.recv() => {
+                    if let Some(end) = end_in(event.as_ref()) {
+                        break end;
+                    }
+                    event.into_iter().for_each(|event| self.take(event));
+                }
+            }
+        };
+        // What the arm did before the end was asked for belongs to the recording.
+        while let Ok(event) = self.incoming.try_recv() {
+            self.take(event);
+        }
+        end
+    }
+
+    fn take(&mut self, event: GuidanceEvent) {
+        match event {
+            GuidanceEvent::Sample(sample) => {
+                let begin_us = *self.begin_us.get_or_insert(sample.at_us);
+                self.samples.push(Sample {
+                    at_us: sample.at_us.saturating_sub(begin_us),
+                    joints_deg: sample.joints.0,
+                    tcp_mm: None,
+                });
+            }
+            GuidanceEvent::Gap { at_us, length_us } => {
+                // A gap before the first sample is not inside the recording.
+                if let Some(begin_us) = self.begin_us {
+                    let at_us = at_us.saturating_sub(begin_us);
+                    self.gaps.push(Gap { at_us, length_us });
+                }
+            }
+            GuidanceEvent::Ended { .. } => {}
+        }
+    }
+
+    /// Commits what came in since the last time.
+    async fn commit(&mut self) -> Result<(), store::Error> {
+        if self.samples.is_empty() && self.gaps.is_empty() {
+            return Ok(());
+        }
+        let new = NewSamples {
+            seq: self.seq,
+            samples: &self.samples,
+            gaps: &self.gaps,
+        };
+        let demonstration = self.tools.store.append_samples(self.id, new).await?;
+        self.seq += 1;
+        self.samples.clear();
+        self.gaps.clear();
+        self.tools.events.tell(&demonstration);
+        Ok(())
+    }
+
+    async fn close(&mut self, end: End) -> Result<(), store::Error> {
+        let stored = self.tools.store.samples(self.id).await?;
+        let all: Vec<Sample> = stored
+            .into_iter()
+            .chain(self.samples.iter().copied())
+            .collect();
+        let (state, note) = match end {
+            _ if all.is_empty() => (
+                DemonstrationState::Discarded,
+                Some(match end {
+                    End::Wanted => "It was stopped before anything was recorded.".into(),
+                    End::Note(note) => note,
+                }),
+            ),
+            End::Wanted => (DemonstrationState::Recorded, None),
+            End::Note(note) => (DemonstrationState::Recorded, Some(note)),
+        };
+        let last = NewSamples {
+            seq: self.seq,
+            samples: &self.samples,
+            gaps: &self.gaps,
+        };
+        let problem = problem_with(&all);
+        let closing = Closing {
+            state,
+            note: note.as_deref(),
+            problem: problem.as_deref(),
+        };
+        let demonstration = self
+            .tools
+            .store
+            .close_demonstration(self.id, last, &closing)
+            .await?;
+        self.tools.events.tell(&demonstration);
+        Ok(())
+    }
+}
+
+/// Why nothing can be learnt from these samples, in words, or nothing.
+fn problem_with(samples: &[Sample]) -> Option<String> {
+    const NAME: &str = "recording";
+    let error = demonstration_of(NAME, samples).err()?;
+    let words = error.to_string();
+    let words = words
+        .strip_prefix(NAME)
+        .map_or(words.as_str(), |rest| rest.trim_start_matches(": "));
+    Some(format!("{} {}", sentence(&words), error.advice()))
+}
+
+async fn stopped(stop: &mut watch::Receiver<Stop>) -> End {
+    match stop
+        .wait_for(|stop| *stop != Stop::No)
+        .await
+        .map(|stop| *stop)
+    {
+        Ok(Stop::Asked | Stop::No) => End::Wanted,
+        Ok(Stop::ServerStops) | Err(_) => End::Note(SERVER_STOPPED.into()),
+    }
+}
+
+fn end_in(event: Option<&GuidanceEvent>) -> Option<End> {
+    match event {
+        Some(GuidanceEvent::Ended { reason }) => Some(End::Note(sentence(reason))),
+        None => Some(End::Note("The connection to the arm was lost.".into())),
+        Some(_) => None,
+    }
+}
+
+/// Waits until the hand has done what it was told; it is at it when it has taken the command.
+async fn hand_done(mut view: watch::Receiver<RobotView>, doing: HandActivity) {
+    // An error means that the robot is gone, which also ends the samples.
+    let _ = view.wait_for(|view| view.hand != Some(doing)).await;
+}
+
+fn refused(error: robot::RobotError) -> End {
+    End::Note(sentence(&format!(
+        "the virtual hand could not begin: {error}"
+    )))
+}
+
+fn unstored(error: store::Error) -> End {
+    tracing::error!(%error, "a recording could not be stored");
+    End::Note("The recording ended early because it could not be stored.".into())
+}
