@@ -205,9 +205,13 @@ impl From<learning::Error> for ApiError {
 impl From<robot::RobotError> for ApiError {
     fn from(error: robot::RobotError) -> Self {
         let status = match error {
-            robot::RobotError::Disconnected
-            | robot::RobotError::Controller(_)
-            | robot::RobotError::ShuttingDown => StatusCode::SERVICE_UNAVAILABLE,
+            robot::RobotError::Disconnected | robot::RobotError::ShuttingDown => {
+                StatusCode::SERVICE_UNAVAILABLE
+            }
+            robot::RobotError::Controller(ref refusal) if refusal.is_unreachable() => {
+                StatusCode::SERVICE_UNAVAILABLE
+            }
+            // The controller answers and says no.
             _ => StatusCode::CONFLICT,
         };
         let refused = Self::new(status, error.code(), sentence(&error)).advise(error.advice());

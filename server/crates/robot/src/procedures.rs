@@ -7,6 +7,7 @@ use std::time::Duration;
 use tokio::time::Instant;
 
 const MOTORS_ON_WITHIN: Duration = Duration::from_secs(3);
+const AT_REST_WITHIN: Duration = Duration::from_secs(3);
 const POLL: Duration = Duration::from_millis(50);
 
 /// Makes the arm soft: automatic mode, program stopped, motors on, lead-through active.
@@ -19,7 +20,7 @@ pub(crate) async fn enter_guidance(
         stop_program(client).await?;
         switch_motors_on(client).await?;
         unless(&stopped)?;
-        client.set_lead_through(true).await?;
+        switch_lead_through_on(client, &stopped).await?;
         unless(&stopped)
     };
     match soft.await {
@@ -92,6 +93,24 @@ async fn stop_program(client: &Client) -> Result<(), RobotError> {
         client.stop_execution().await?;
     }
     Ok(())
+}
+
+/// For a moment after the program was stopped the arm still comes to rest, and the controller
+/// refuses lead-through as long.
+async fn switch_lead_through_on(
+    client: &Client,
+    stopped: &impl Fn() -> bool,
+) -> Result<(), RobotError> {
+    let deadline = Instant::now() + AT_REST_WITHIN;
+    loop {
+        match client.set_lead_through(true).await {
+            Err(RwsError::Refused { .. }) if Instant::now() < deadline => {
+                unless(stopped)?;
+                tokio::time::sleep(POLL).await;
+            }
+            other => return Ok(other?),
+        }
+    }
 }
 
 async fn require_automatic(client: &Client) -> Result<(), RobotError> {

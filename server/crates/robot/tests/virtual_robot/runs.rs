@@ -45,6 +45,18 @@ async fn two_plans_can_be_run_one_after_the_other() {
     cell.end().await;
 }
 
+/// The controller still brings the arm to rest when the run is already over.
+#[tokio::test(flavor = "multi_thread")]
+async fn right_after_a_run_the_arm_can_be_taken_by_the_hand() {
+    let mut cell = Cell::start().await;
+    let run = cell.robot.run(cell.plan(TRAVEL_DEG, 1.6)).await.unwrap();
+    assert_eq!(outcome(run).await.end, RunEnd::Completed);
+    cell.wait_for_state(RobotState::Idle).await;
+    cell.robot.start_guidance().await.unwrap();
+    cell.wait_for_state(RobotState::Guiding).await;
+    cell.end().await;
+}
+
 #[tokio::test(flavor = "multi_thread")]
 async fn a_stop_in_the_middle_keeps_to_the_path_and_does_not_jump() {
     let mut cell = Cell::start().await;
