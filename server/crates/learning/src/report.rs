@@ -125,7 +125,11 @@ impl Report {
                 " Its path runs {:.0} mm from what you showed on average, {:.0} mm at worst.",
                 fidelity.missed_mean_mm, fidelity.missed_max_mm
             );
-            let nearest_end = fidelity.end_mm.iter().copied().fold(f64::INFINITY, f64::min);
+            let nearest_end = fidelity
+                .end_mm
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min);
             if nearest_end > fidelity.end_spread_mm + END_TOLERANCE_MM {
                 summary += &format!(" It ends {nearest_end:.0} mm away from where you ended.");
             }

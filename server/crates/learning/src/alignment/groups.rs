@@ -11,6 +11,10 @@ use crate::{Demonstration, Error, path::Path};
 /// of them for the tool.
 const SAME_TOOL_PATH: f64 = 0.25;
 const SAME_JOINT_PATH: f64 = 0.60;
+/// The spread counts as at least this much: a short motion, shown twice, differs by
+/// the unsteadiness of the hand. In the signal's unit (mm of the tool, or degrees).
+const LEAST_TOOL_SPREAD_MM: f64 = 120.0;
+const LEAST_JOINT_SPREAD_DEG: f64 = 20.0;
 
 /// Refuses when a demonstration is further from the most typical one than takes
 /// of one motion are.
@@ -20,6 +24,12 @@ pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> 
         .iter()
         .map(|d| thinned(&d.alignment_signal()))
         .collect();
+    let tool_known = demonstrations.iter().all(|d| d.tool_path_mm().is_some());
+    let least = if tool_known {
+        LEAST_TOOL_SPREAD_MM
+    } else {
+        LEAST_JOINT_SPREAD_DEG
+    };
     let joints: Vec<Path> = demonstrations
         .iter()
         .map(|d| thinned(d.joints_deg()))
@@ -27,7 +37,7 @@ pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> 
     let mut distances = vec![0.0; m * m];
     for i in 0..m {
         for j in i + 1..m {
-            let distance = relative(&signals[i], &signals[j]);
+            let distance = relative(&signals[i], &signals[j], least);
             distances[i * m + j] = distance;
             distances[j * m + i] = distance;
         }
@@ -35,7 +45,7 @@ pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> 
     let typical = super::medoid(&distances, m);
     let same = |i: usize| {
         distances[i * m + typical] <= SAME_TOOL_PATH
-            && relative(&joints[i], &joints[typical]) <= SAME_JOINT_PATH
+            && relative(&joints[i], &joints[typical], LEAST_JOINT_SPREAD_DEG) <= SAME_JOINT_PATH
     };
     let (same, other): (Vec<usize>, Vec<usize>) = (0..m).partition(|&i| same(i));
     if other.is_empty() {
@@ -62,11 +72,12 @@ fn thinned(path: &Path) -> Path {
     Path::from_rows(path.width(), (0..count).map(|i| path.row(pick(i))))
 }
 
-/// DTW distance per sample in units of the larger spread of the two.
-fn relative(a: &Path, b: &Path) -> f64 {
+/// DTW distance per sample in units of the larger spread of the two, which counts
+/// as at least `least`.
+fn relative(a: &Path, b: &Path, least: f64) -> f64 {
     let samples = a.len().max(b.len()) as f64;
     let distance = dtw::squared_distance(a, b).sqrt();
-    distance / samples.sqrt() / f64::max(spread(a), spread(b)).max(1e-9)
+    distance / samples.sqrt() / spread(a).max(spread(b)).max(least)
 }
 
 /// Root mean square distance of the samples from their mean.
