@@ -1,0 +1,107 @@
+// What a worker does in the app, by the names that are on the screen.
+import assert from "node:assert/strict";
+import { inspect } from "./layout.mjs";
+import { openApp, until } from "./phone.mjs";
+
+const TRAINING_MS = 300_000;
+const MOTION_MS = 180_000;
+
+export const button = (page, name) => page.getByRole("button", { name, exact: true });
+export const linkNamed = (page, name) => page.getByRole("link", { name, exact: true });
+export const heading = (page, name) => page.getByRole("heading", { name, exact: true, level: 1 });
+
+/** The robot is connected and stands ready. */
+export async function robotReady(page) {
+  await page.getByRole("region", { name: "Robot" }).getByText("Ready", { exact: true }).waitFor();
+}
+
+export async function newTask(page, name) {
+  await openApp(page);
+  await linkNamed(page, "New task").click();
+  await page.getByLabel("Name of the task").fill(name);
+  await inspect(page, "teach-new-task");
+  await button(page, "Create task").click();
+  await heading(page, name).waitFor();
+}
+
+/** From the task's page into a running recording. */
+export async function startRecording(page, { script = "Pick and place" } = {}) {
+  await page.getByRole("link", { name: /^(Record a|Another) take$/ }).click();
+  await heading(page, "Record a take").waitFor();
+  await page.getByRole("radio", { name: new RegExp(`^${script}`) }).check();
+  await robotReady(page);
+  await inspect(page, "teach-record");
+  await button(page, "Record").click();
+  await page.getByText("The arm goes soft in").waitFor();
+  await inspect(page, "teach-count-in");
+  await page.getByRole("timer").waitFor();
+}
+
+/** The time that the recording screen shows. */
+async function recordedSeconds(page) {
+  return Number.parseFloat(await page.getByRole("timer").innerText());
+}
+
+/** Waits until the virtual hand is done, looks at the take and keeps it. */
+export async function keepTake(page) {
+  await button(page, "Keep").waitFor();
+  await page.getByRole("img", { name: /^Recorded joint angles/ }).waitFor();
+  await inspect(page, "teach-review");
+  await button(page, "Keep").click();
+  await page.getByRole("heading", { name: "Takes" }).waitFor();
+}
+
+export async function recordTake(page, options) {
+  await startRecording(page, options);
+  await until(page, "the traces show something", async () => (await recordedSeconds(page)) >= 2);
+  await inspect(page, "teach-recording");
+  await keepTake(page);
+}
+
+/** From a task with enough takes to its trained motion. */
+export async function train(page) {
+  await button(page, "Train").click();
+  await page.getByRole("progressbar", { name: "Training" }).waitFor();
+  await inspect(page, "teach-training");
+  await heading(page, "The arm has learned the motion").waitFor({ timeout: TRAINING_MS });
+}
+
+/** A task with three kept takes that is trained. */
+export async function teach(page, name, options) {
+  await newTask(page, name);
+  for (let take = 0; take < 3; take += 1) await recordTake(page, options);
+  await train(page);
+}
+
+/** From the choices of a run to its plan. */
+export async function preview(page) {
+  await button(page, "Preview").click();
+  await heading(page, "Planned motion").waitFor();
+  await page.getByRole("img", { name: /^Planned joint angles/ }).waitFor();
+}
+
+export async function startMotion(page) {
+  await robotReady(page);
+  await button(page, "Start").click();
+  await heading(page, "The arm is moving").waitFor();
+}
+
+/** The arm goes all the way. */
+export async function motionDone(page) {
+  await heading(page, "Goal reached").waitFor({ timeout: MOTION_MS });
+  await page.getByRole("img", { name: /^Planned and measured/ }).waitFor();
+}
+
+/** The value beside a name in a list of figures. */
+export async function figure(page, name) {
+  const value = page.locator("dl.figures > div").filter({ hasText: name }).locator("dd");
+  return (await value.innerText()).trim();
+}
+
+/** A figure as a number, without its unit. */
+export async function figureNumber(page, name) {
+  const text = await figure(page, name);
+  const number = Number(/[−-]?[\d.]+/.exec(text)?.[0].replace("−", "-"));
+  assert.ok(Number.isFinite(number), `${name}: ${text}`);
+  return number;
+}

@@ -1,0 +1,21 @@
+//! The whole system through its front doors: HTTP, the live socket, UDP, the command line and the
+//! browser, each against a real server with the virtual controller.
+
+mod api;
+mod cli;
+mod crash;
+mod in_process;
+mod pairing;
+mod prepared;
+mod published;
+mod steps;
+mod stop;
+mod teach_and_reproduce;
+mod tidy;
+mod webapp;
+
+/// The server as a program, built beside these tests.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_server_under_test");
+
+/// Where tests may leave files while they run.
+const SCRATCH: &str = env!("CARGO_TARGET_TMPDIR");
