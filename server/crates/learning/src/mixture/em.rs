@@ -129,6 +129,64 @@ fn expect<const D: usize>(data: &Blocks<D>, mixture: &Mixture) -> Result<(f64, M
         })
         .collect::<Result<Vec<_>, _>>()?;
     let mut sums = vec![LaneMoments::<D>::zero(); k];
+    // The same arithmetic with the widest vectors the processor has; nothing is
+    // contracted or reordered, so the result has the same bits on every processor.
+    let total = pulp::Arch::new().dispatch(Accumulate {
+        data,
+        gaussians: &gaussians,
+        sums: &mut sums,
+    });
+    let log_likelihood = total / data.len() as f64;
+    if !log_likelihood.is_finite() {
+        return Err(Error::MixtureFailed {
+            reason: "the likelihood is not a number".into(),
+        });
+    }
+    let centres = mixture
+        .means
+        .iter()
+        .map(|mean| std::array::from_fn(|i| mean[i]))
+        .collect();
+    let moments = Moments {
+        centres,
+        zeroth: sums.iter().map(|s| s.zeroth.iter().sum()).collect(),
+        first: sums
+            .iter()
+            .map(|s| s.first.map(|lanes| lanes.iter().sum()))
+            .collect(),
+        second: sums
+            .iter()
+            .map(|s| s.second.map(|row| row.map(|lanes| lanes.iter().sum())))
+            .collect(),
+    };
+    Ok((log_likelihood, moments))
+}
+
+/// Adds all responsibilities to `sums`; gives the sum of the samples' log
+/// likelihoods. An operation and not a closure, so that it is compiled for the
+/// vectors it is dispatched to.
+struct Accumulate<'a, const D: usize> {
+    data: &'a Blocks<D>,
+    gaussians: &'a [Gaussian<D>],
+    sums: &'a mut [LaneMoments<D>],
+}
+
+impl<const D: usize> pulp::NullaryFnOnce for Accumulate<'_, D> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn call(self) -> f64 {
+        accumulate(self.data, self.gaussians, self.sums)
+    }
+}
+
+#[inline(always)]
+fn accumulate<const D: usize>(
+    data: &Blocks<D>,
+    gaussians: &[Gaussian<D>],
+    sums: &mut [LaneMoments<D>],
+) -> f64 {
+    let k = gaussians.len();
     let mut logs = vec![[0.0; LANES]; k];
     let mut centred = vec![[[0.0; LANES]; D]; k];
     let mut total = 0.0;
@@ -166,30 +224,7 @@ fn expect<const D: usize>(data: &Blocks<D>, mixture: &Mixture) -> Result<(f64, M
             }
         }
     }
-    let log_likelihood = total / data.len() as f64;
-    if !log_likelihood.is_finite() {
-        return Err(Error::MixtureFailed {
-            reason: "the likelihood is not a number".into(),
-        });
-    }
-    let centres = mixture
-        .means
-        .iter()
-        .map(|mean| std::array::from_fn(|i| mean[i]))
-        .collect();
-    let moments = Moments {
-        centres,
-        zeroth: sums.iter().map(|s| s.zeroth.iter().sum()).collect(),
-        first: sums
-            .iter()
-            .map(|s| s.first.map(|lanes| lanes.iter().sum()))
-            .collect(),
-        second: sums
-            .iter()
-            .map(|s| s.second.map(|row| row.map(|lanes| lanes.iter().sum())))
-            .collect(),
-    };
-    Ok((log_likelihood, moments))
+    total
 }
 
 /// Running sums, one for each lane; of the second moments only the lower triangle.

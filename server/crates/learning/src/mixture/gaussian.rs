@@ -113,7 +113,7 @@ impl<const D: usize> LogDensity<D> {
     }
 
     /// ln of the mixture's density at each sample.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, samples: &[[f64; LANES]; D]) -> [f64; LANES] {
         let mut logs = [[0.0; LANES]; 16];
         let mut chunks = [f64::NEG_INFINITY; LANES];
@@ -131,15 +131,9 @@ impl<const D: usize> LogDensity<D> {
         chunks
     }
 
-    /// Calls `visit` with blocks of samples drawn from the mixture, `count` in all;
-    /// the second argument is the number of lanes that count.
-    pub fn sample(
-        &self,
-        count: usize,
-        rng: &mut Stream,
-        mut visit: impl FnMut(&[[f64; LANES]; D], usize),
-    ) {
-        let mut per_component = vec![0usize; self.components.len()];
+    /// How many of `count` samples fall to each component.
+    pub fn shares_of(&self, count: usize, rng: &mut Stream) -> Vec<usize> {
+        let mut shares = vec![0usize; self.components.len()];
         for _ in 0..count {
             let mut u = rng.uniform();
             let mut chosen = 0;
@@ -147,15 +141,15 @@ impl<const D: usize> LogDensity<D> {
                 u -= self.weights[chosen];
                 chosen += 1;
             }
-            per_component[chosen] += 1;
+            shares[chosen] += 1;
         }
-        for (gaussian, mut left) in self.components.iter().zip(per_component) {
-            while left > 0 {
-                let filled = left.min(LANES);
-                visit(&gaussian.draw(rng), filled);
-                left -= filled;
-            }
-        }
+        shares
+    }
+
+    /// A block of samples of one component.
+    #[inline(always)]
+    pub fn draw(&self, component: usize, rng: &mut Stream) -> [[f64; LANES]; D] {
+        self.components[component].draw(rng)
     }
 }
 

@@ -173,13 +173,17 @@ fn samples_have_the_mixtures_mean_and_variance() {
     };
     let density = LogDensity::<2>::new(&mixture).unwrap();
     let (mut count, mut sum, mut squares) = (0usize, 0.0, 0.0);
-    density.sample(200_000, &mut Stream::derive(8, &[]), |samples, filled| {
-        for x in &samples[0][..filled] {
-            count += 1;
-            sum += x;
-            squares += x * x;
+    let mut rng = Stream::derive(8, &[]);
+    for (component, share) in density.shares_of(200_000, &mut rng).into_iter().enumerate() {
+        for begun in (0..share).step_by(LANES) {
+            let samples = density.draw(component, &mut rng);
+            for x in &samples[0][..LANES.min(share - begun)] {
+                count += 1;
+                sum += x;
+                squares += x * x;
+            }
         }
-    });
+    }
     assert_eq!(count, 200_000);
     let mean = sum / count as f64;
     let variance = squares / count as f64 - mean * mean;
