@@ -1,5 +1,6 @@
 // The rarer things of a task: files, moving the arm by hand, renaming, deleting.
 import { after, before, test } from "node:test";
+import { recording } from "../support/files.mjs";
 import { inspect } from "../support/layout.mjs";
 import { hangUp, newPhone, openBrowser } from "../support/phone.mjs";
 import { button, heading, linkNamed, newTask, robotReady } from "../support/steps.mjs";
@@ -10,17 +11,11 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** A file of the arm swinging two joints for four seconds; `spoil` may change its rows. */
-function recording(name, spoil = (row) => row) {
-  const rows = Array.from({ length: 401 }, (_, index) => {
-    const time = index / 100;
-    const swing = 10 * Math.sin((Math.PI * time) / 4);
-    return [time, swing, 8 + swing / 2, 24, 0, -45, 0];
-  });
-  const header = "t_s,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
-  const text = [header, ...rows.map((row, index) => spoil(row, index).join(","))].join("\n");
-  return { name, mimeType: "text/csv", buffer: Buffer.from(`${text}\n`) };
-}
+const csv = (name, options) => ({
+  name,
+  mimeType: "text/csv",
+  buffer: Buffer.from(recording(options)),
+});
 
 test("a recorded file becomes a take; a broken one is refused with what and where", async () => {
   const phone = await newPhone(browser);
@@ -31,7 +26,7 @@ test("a recorded file becomes a take; a broken one is refused with what and wher
   await inspect(page, "teach-more");
   const file = page.getByLabel("Upload a recorded file");
   await file.setInputFiles(
-    recording("broken.csv", (row, index) => (index === 200 ? row.with(3, "NaN") : row)),
+    csv("broken.csv", { spoil: (row, index) => (index === 200 ? row.with(3, "NaN") : row) }),
   );
   await page
     .getByRole("alert")
@@ -39,7 +34,7 @@ test("a recorded file becomes a take; a broken one is refused with what and wher
     .first()
     .waitFor();
   await inspect(page, "teach-upload-refused");
-  await file.setInputFiles(recording("swing.csv"));
+  await file.setInputFiles(csv("swing.csv"));
   await page.getByText("The file is now take 1").waitFor();
   await page.getByRole("link", { name: "Back" }).click();
   await page.getByRole("link", { name: /^Take 1, / }).click();

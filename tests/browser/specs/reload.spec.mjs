@@ -1,6 +1,7 @@
 // A phone that is locked, loses its page or its network finds everything where it is.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { keepTrainerBusy, taskFromFiles } from "../support/files.mjs";
 import { inspect } from "../support/layout.mjs";
 import { hangUp, newPhone, openApp, openBrowser, until } from "../support/phone.mjs";
 import {
@@ -9,7 +10,6 @@ import {
   keepTake,
   linkNamed,
   newTask,
-  recordTake,
   robotReady,
   startRecording,
 } from "../support/steps.mjs";
@@ -36,14 +36,17 @@ test("a reload in the middle of a recording comes back to the recording", async 
 test("a reload in the middle of a training comes back to the training, which can be cancelled", async () => {
   const phone = await newPhone(browser);
   const { page } = phone;
-  await newTask(page, "Reloaded while training");
-  for (let take = 0; take < 3; take += 1) await recordTake(page);
+  const task = await taskFromFiles("Reloaded while training");
+  const enough = await keepTrainerBusy(8);
+  await openApp(page, `#/teach/${task.id}`);
   await button(page, "Train").click();
   await page.getByRole("progressbar", { name: "Training" }).waitFor();
   await page.reload();
   await page.getByRole("progressbar", { name: "Training" }).waitFor();
+  await inspect(page, "teach-training-waits");
   await button(page, "Cancel training").click();
   await page.getByText("The training was cancelled").waitFor();
+  await enough();
   await linkNamed(page, "Back to the takes").click();
   for (const take of [1, 2, 3]) {
     await page.getByRole("link", { name: `Take ${take}, Kept` }).waitFor();

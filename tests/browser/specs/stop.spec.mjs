@@ -1,6 +1,7 @@
 // Stop, from the screen of a motion and without the live connection.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { taskFromFiles } from "../support/files.mjs";
 import { inspect } from "../support/layout.mjs";
 import { hangUp, newPhone, openApp, openBrowser } from "../support/phone.mjs";
 import {
@@ -12,7 +13,7 @@ import {
   startRecording,
   keepTake,
   newTask,
-  teach,
+  train,
 } from "../support/steps.mjs";
 
 let browser;
@@ -24,7 +25,9 @@ after(() => browser.close());
 test("Stop ends a run, says so, and the arm can be started again by a person", async () => {
   const phone = await newPhone(browser);
   const { page } = phone;
-  await teach(page, "To be stopped");
+  const task = await taskFromFiles("To be stopped");
+  await openApp(page, `#/teach/${task.id}`);
+  await train(page);
   await linkNamed(page, "Run it").click();
   await preview(page);
   await startMotion(page);

@@ -1,0 +1,72 @@
+// Every request the app makes, one line each.
+import { request } from "./client";
+import type {
+  Curve,
+  Demonstration,
+  HandScript,
+  Job,
+  Model,
+  Plan,
+  PlanRequest,
+  Reproduction,
+  ReproductionTrajectory,
+  Session,
+  Task,
+  Trajectory,
+} from "./types";
+
+export const getSession = () => request<Session>("GET", "/session");
+export const pair = (code: string) => request<null>("POST", "/session", { body: { code } });
+
+export const listTasks = () => request<Task[]>("GET", "/tasks");
+export const getTask = (task: string) => request<Task>("GET", `/tasks/${task}`);
+export const createTask = (id: string, name: string) =>
+  request<Task>("POST", "/tasks", { body: { id, name } });
+export const renameTask = (task: string, name: string) =>
+  request<Task>("PATCH", `/tasks/${task}`, { body: { name } });
+export const deleteTask = (task: string) => request<null>("DELETE", `/tasks/${task}`);
+
+export interface NewDemonstration {
+  id: string;
+  virtual_hand?: HandScript;
+  seed?: number;
+}
+export const listDemonstrations = (task: string) =>
+  request<Demonstration[]>("GET", `/tasks/${task}/demonstrations`);
+export const getDemonstration = (id: string) =>
+  request<Demonstration>("GET", `/demonstrations/${id}`);
+export const startDemonstration = (task: string, body: NewDemonstration) =>
+  request<Demonstration>("POST", `/tasks/${task}/demonstrations`, { body });
+export const uploadDemonstration = (task: string, file: File) =>
+  request<Demonstration>(
+    "POST",
+    `/tasks/${task}/demonstrations/upload?name=${encodeURIComponent(file.name)}`,
+    { file },
+  );
+export const closeDemonstration = (id: string, action: "stop" | "keep" | "discard") =>
+  request<Demonstration>("POST", `/demonstrations/${id}/${action}`);
+export const getTrajectory = (id: string, points: number) =>
+  request<Trajectory>("GET", `/demonstrations/${id}/trajectory?max_points=${points}`);
+
+export const listModels = (task: string) => request<Model[]>("GET", `/tasks/${task}/models`);
+export const getModel = (id: string) => request<Model>("GET", `/models/${id}`);
+export const trainModel = (task: string) =>
+  request<{ job: Job; model: Model }>("POST", `/tasks/${task}/models`, { body: {} });
+export const getCurve = (id: string, points: number) =>
+  request<Curve>("GET", `/models/${id}/curve?max_points=${points}`);
+export const getJob = (id: string) => request<Job>("GET", `/jobs/${id}`);
+export const cancelJob = (id: string) => request<Job>("POST", `/jobs/${id}/cancel`);
+
+export const stopRobot = () => request<null>("POST", "/robot/stop", { keepalive: true });
+export const resetRobot = () => request<unknown>("POST", "/robot/reset");
+export const setLeadThrough = (active: boolean) =>
+  request<unknown>("POST", "/robot/lead-through", { body: { active } });
+export const returnVirtualHand = (script: HandScript, seed: number) =>
+  request<unknown>("POST", "/robot/virtual-hand", { body: { action: "return", script, seed } });
+
+export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", { body });
+export const startReproduction = (id: string, plan: string) =>
+  request<Reproduction>("POST", "/reproductions", { body: { id, plan } });
+export const getReproduction = (id: string) => request<Reproduction>("GET", `/reproductions/${id}`);
+export const getReproductionTrajectory = (id: string, points: number) =>
+  request<ReproductionTrajectory>("GET", `/reproductions/${id}/trajectory?max_points=${points}`);

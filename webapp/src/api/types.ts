@@ -1,0 +1,195 @@
+// The shapes of the REST interface and of the live socket, in one place and named as the server's
+// OpenAPI file names them. Angles in degrees, positions in millimetres, times in seconds.
+
+export type Joints = number[];
+
+export interface Session {
+  paired: boolean;
+  pairing_required: boolean;
+  robot: "virtual" | "none";
+  version: string;
+}
+
+export interface Task {
+  id: string;
+  name: string;
+  created_at: string;
+}
+
+export type DemonstrationState =
+  "preparing" | "recording" | "recorded" | "kept" | "discarded" | "interrupted";
+
+export type HandScript = "f1" | "f2" | "f3";
+
+export interface Demonstration {
+  id: string;
+  task_id: string;
+  take: number;
+  state: DemonstrationState;
+  source: "hand_guiding" | "virtual_hand" | "file";
+  created_at: string;
+  duration_s: number;
+  samples: number;
+  rate_hz: number;
+  gaps: number;
+  note?: string | null;
+  usable: boolean;
+  problem?: string | null;
+}
+
+export interface Trajectory {
+  t_s: number[];
+  joints_deg: number[][];
+}
+
+export interface Failure {
+  code: string;
+  message: string;
+  advice: string;
+}
+
+export interface Progress {
+  stage: string;
+  words: string;
+  done: number;
+  total: number;
+  fraction: number;
+}
+
+export interface Job {
+  id: string;
+  kind: "train_model";
+  state: "queued" | "running" | "succeeded" | "failed" | "cancelled";
+  task_id: string;
+  model_id: string;
+  attempt: number;
+  progress: Progress;
+  failure?: Failure | null;
+  created_at: string;
+}
+
+/** How far the tool's path is from what was shown. */
+export interface Fidelity {
+  missed_mean_mm: number;
+  missed_max_mm: number;
+  mutual_mean_mm: number | null;
+  /** Above 1 the path is further off than the takes are apart. */
+  missed_over_mutual: number | null;
+}
+
+/** The figures of a training that the app shows. Other versions of the method may lack some. */
+export interface Report {
+  notes?: string[];
+  k?: number;
+  alpha_z?: number;
+  n_basis?: number;
+  objective?: number;
+  gmcc?: number;
+  e_j_deg?: number;
+  bo_calls?: number;
+  fidelity?: Fidelity | null;
+}
+
+export interface Model {
+  id: string;
+  task_id: string;
+  version: number;
+  state: "training" | "ready" | "failed" | "cancelled";
+  job_id: string;
+  demonstrations: string[];
+  method: string;
+  seed: number;
+  created_at: string;
+  summary?: string | null;
+  report?: Report | null;
+  start_deg?: Joints | null;
+  goal_deg?: Joints | null;
+  duration_s?: number | null;
+  failure?: Failure | null;
+}
+
+export interface Curve {
+  t_s: number[];
+  mean_deg: number[][];
+  std_deg: number[][];
+}
+
+export type Placement = "as_taught" | "present" | { joints_deg: Joints };
+
+export interface PlanRequest {
+  model_id: string;
+  start: Placement;
+  goal: Placement;
+  speed: number;
+}
+
+export interface Plan {
+  plan: string;
+  model_id: string;
+  start_deg: Joints;
+  goal_deg: Joints;
+  duration_s: number;
+  approach_s: number;
+  slowed_by: number;
+  warnings: string[];
+  verdict: string;
+  t_s: number[];
+  joints_deg: number[][];
+}
+
+export interface Reproduction {
+  id: string;
+  task_id: string;
+  model_id: string;
+  plan: string;
+  state: "running" | "succeeded" | "stopped" | "failed";
+  reason?: string | null;
+  created_at: string;
+  finished_at?: string | null;
+  start_deg: Joints;
+  goal_deg: Joints;
+  e_j_deg?: number | null;
+  e_j_commanded_deg?: number | null;
+  gmcc?: number | null;
+  tracking_error_deg?: { mean: number; max: number } | null;
+  duration_s: number;
+}
+
+export interface ReproductionTrajectory {
+  t_s: number[];
+  commanded_deg: number[][];
+  measured_deg: number[][];
+}
+
+export type RobotState =
+  "disconnected" | "idle" | "guiding" | "reproducing" | "stopping" | "faulted";
+
+export interface RobotView {
+  kind: "virtual" | "none";
+  state: RobotState;
+  joints_deg?: Joints | null;
+  age_ms: number;
+  lead_through?: boolean | null;
+  hand?: "idle" | "returning" | "showing" | null;
+  fault?: Failure | null;
+  run?: {
+    phase: "approach" | "motion" | "settling" | "stopping";
+    t_s: number;
+    duration_s: number;
+  } | null;
+}
+
+/** What the server sends on the live socket. */
+export type LiveMessage =
+  | {
+      type: "snapshot";
+      robot: RobotView;
+      demonstration?: Demonstration | null;
+      jobs: Job[];
+      reproduction?: Reproduction | null;
+    }
+  | { type: "robot"; robot: RobotView }
+  | { type: "demonstration"; demonstration: Demonstration }
+  | { type: "job"; job: Job }
+  | { type: "model"; model: Model }
+  | { type: "reproduction"; reproduction: Reproduction };

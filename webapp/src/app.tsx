@@ -1,0 +1,109 @@
+// The frame around every screen: robot state and sections on top, Stop at the bottom.
+import { useEffect } from "preact/hooks";
+import { ButtonLink } from "./components/button";
+import { Icon, type IconName } from "./components/icon";
+import { LoadNotice } from "./components/notice";
+import { Page } from "./components/page";
+import { RobotBar } from "./components/robot-bar";
+import { StopBar } from "./components/stop-bar";
+import { PairingPage } from "./pages/pairing";
+import { MotionPage } from "./pages/run/motion";
+import { PreviewPage } from "./pages/run/preview";
+import { RunPage } from "./pages/run/run";
+import { SetupPage } from "./pages/run/setup";
+import { ModelPage } from "./pages/teach/model";
+import { MorePage } from "./pages/teach/more";
+import { NewTaskPage } from "./pages/teach/new-task";
+import { RecordPage } from "./pages/teach/record";
+import { TakePage } from "./pages/teach/take";
+import { TaskPage } from "./pages/teach/task";
+import { TeachPage } from "./pages/teach/teach";
+import { link, type Route } from "./router";
+import { useLoad } from "./state/hooks";
+import { startLive } from "./state/live";
+import { route, type Target } from "./state/navigation";
+import { beginSession, mustPair, session } from "./state/session";
+import { t } from "./texts";
+
+export function App() {
+  const load = useLoad(beginSession, "session");
+  const open = session.value !== null && !mustPair.value;
+  useEffect(() => {
+    if (open) startLive();
+  }, [open]);
+  return (
+    <div class="frame">
+      <header>
+        <RobotBar />
+        {open && <Sections />}
+      </header>
+      {open ? (
+        <Screen route={route.value} />
+      ) : mustPair.value ? (
+        <PairingPage problem={load.problem} />
+      ) : (
+        <Page title={t.app.name}>
+          <LoadNotice load={load} empty />
+        </Page>
+      )}
+      <StopBar />
+    </div>
+  );
+}
+
+function Sections() {
+  const run: ReadonlySet<Route["page"]> = new Set(["run", "setup", "preview", "motion"]);
+  const here = run.has(route.value.page) ? "run" : "teach";
+  const tab = (page: "teach" | "run", icon: IconName) => (
+    <a href={link({ page } as Target)} aria-current={here === page ? "page" : undefined}>
+      <Icon name={icon} />
+      {t.app[page]}
+    </a>
+  );
+  return (
+    <nav class="sections" aria-label={t.app.sections}>
+      {tab("teach", "teach")}
+      {tab("run", "play")}
+    </nav>
+  );
+}
+
+/** Keys make a new screen of each address: nothing of another task's state is left over. */
+function Screen({ route }: { route: Route }) {
+  switch (route.page) {
+    case "teach":
+      return <TeachPage key="teach" />;
+    case "new-task":
+      return <NewTaskPage key="new-task" />;
+    case "task":
+      return <TaskPage key={`task ${route.task}`} task={route.task} />;
+    case "more":
+      return <MorePage key={`more ${route.task}`} task={route.task} />;
+    case "record":
+      return <RecordPage key={`record ${route.task}`} task={route.task} />;
+    case "take":
+      return <TakePage key={route.take} task={route.task} take={route.take} />;
+    case "model":
+      return <ModelPage key={route.model} task={route.task} model={route.model} />;
+    case "run":
+      return <RunPage key="run" />;
+    case "setup":
+      return <SetupPage key={`setup ${route.task}`} task={route.task} />;
+    case "preview":
+      return <PreviewPage key={`preview ${route.task}`} task={route.task} />;
+    case "motion":
+      return <MotionPage key={route.motion} task={route.task} motion={route.motion} />;
+    case "missing":
+      return (
+        <Page
+          key="missing"
+          title={t.app.pageMissing}
+          actions={
+            <ButtonLink to={{ page: "teach" }} look="primary">
+              {t.app.toTeach}
+            </ButtonLink>
+          }
+        />
+      );
+  }
+}

@@ -1,0 +1,53 @@
+// What is going on right now, as ways to its screen: for a phone that was reloaded or joins late.
+import { demonstrations, jobs, reproductions } from "../state/entities";
+import { t } from "../texts";
+import { Icon } from "./icon";
+import { RowLink } from "./row-link";
+
+export function OpenWork() {
+  const recording = demonstrations.where(
+    (take) => take.state === "preparing" || take.state === "recording",
+  );
+  const training = jobs.where((job) => job.state === "queued" || job.state === "running");
+  const moving = reproductions.where((motion) => motion.state === "running");
+  return (
+    <ul class="rows">
+      {moving.map((motion) => (
+        <RowLink
+          key={motion.id}
+          to={{ page: "motion", task: motion.task_id, motion: motion.id }}
+          label={t.run.moving}
+        >
+          <span class="state row-name tone-moving">
+            <Icon name="move" />
+            {t.run.moving}
+          </span>
+        </RowLink>
+      ))}
+      {recording.map((take) => (
+        <RowLink
+          key={take.id}
+          to={{ page: "take", task: take.task_id, take: take.id }}
+          label={t.teach.toRecording}
+        >
+          <span class="state row-name tone-bad">
+            <Icon name="record" />
+            {t.teach.recordingNow}
+          </span>
+        </RowLink>
+      ))}
+      {training.map((job) => (
+        <RowLink
+          key={job.id}
+          to={{ page: "model", task: job.task_id, model: job.model_id }}
+          label={t.teach.toTraining}
+        >
+          <span class="state row-name tone-moving">
+            <Icon name="train" />
+            {t.teach.training}
+          </span>
+        </RowLink>
+      ))}
+    </ul>
+  );
+}

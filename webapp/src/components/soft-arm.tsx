@@ -1,0 +1,50 @@
+// Making the arm soft without recording, to bring it back by hand.
+import { useComputed } from "@preact/signals";
+import { returnVirtualHand, setLeadThrough } from "../api/endpoints";
+import { newSeed } from "../api/ids";
+import { handScript } from "../state/hand-script";
+import { useAction } from "../state/hooks";
+import { connection, isVirtual, robot, robotState } from "../state/live";
+import { whyNotReady } from "../state/robot-status";
+import { t } from "../texts";
+import { Button } from "./button";
+import { Notice, ProblemNotice } from "./notice";
+
+export function SoftArm() {
+  const soft = robotState.value === "guiding";
+  const why = useComputed(() => whyNotReady(robot.value, connection.value, true));
+  const handBusy = useComputed(() => (robot.value?.hand ?? "idle") !== "idle");
+  const toggle = useAction(async () => {
+    await setLeadThrough(!soft);
+  });
+  const bringBack = useAction(async () => {
+    await returnVirtualHand(handScript.peek(), newSeed());
+  });
+  const busy = soft ? t.robot.soft.turningOff : t.robot.soft.turningOn;
+  return (
+    <section class="card">
+      <h2>{t.robot.soft.title}</h2>
+      {soft ? (
+        <Notice tone="soft" icon="hand">
+          {t.robot.soft.isSoft}
+        </Notice>
+      ) : (
+        <p>{t.robot.soft.explain}</p>
+      )}
+      <Button icon="hand" why={why.value} busy={toggle.busy && busy} onPress={toggle.start}>
+        {soft ? t.robot.soft.off : t.robot.soft.on}
+      </Button>
+      {soft && isVirtual.value && (
+        <Button
+          icon="again"
+          busy={(bringBack.busy || handBusy.value) && t.robot.soft.handMoving}
+          onPress={bringBack.start}
+        >
+          {t.robot.soft.handBack}
+        </Button>
+      )}
+      {toggle.problem && <ProblemNotice problem={toggle.problem} />}
+      {bringBack.problem && <ProblemNotice problem={bringBack.problem} />}
+    </section>
+  );
+}

@@ -1,0 +1,25 @@
+// The states of the live connection and which may follow which. No socket here.
+
+export type ConnectionState = "connecting" | "identifying" | "live" | "lost";
+
+/** `identifying`: the socket is open, the snapshot that says where everything stands is not here
+ *  yet. Nothing is live before it, so a reconnect never mixes old state with new. */
+const ALLOWED: Record<ConnectionState, readonly ConnectionState[]> = {
+  connecting: ["identifying", "lost"],
+  identifying: ["live", "lost"],
+  live: ["lost"],
+  lost: ["connecting"],
+};
+
+export function mayFollow(from: ConnectionState, to: ConnectionState): boolean {
+  return ALLOWED[from].includes(to);
+}
+
+export const FIRST_DELAY_MS = 500;
+export const LONGEST_DELAY_MS = 5000;
+export const SILENCE_MS = 3000;
+
+/** How long to wait before trial number `attempt` (from 0) after the connection was lost. */
+export function backOffMs(attempt: number): number {
+  return Math.min(FIRST_DELAY_MS * 1.4 ** attempt, LONGEST_DELAY_MS);
+}

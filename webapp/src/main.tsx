@@ -1,0 +1,11 @@
+// Starts the app in the page.
+import { render } from "preact";
+import { App } from "./app";
+import "./styles/base.css";
+import "./styles/frame.css";
+import "./styles/controls.css";
+import "./styles/content.css";
+import "./styles/plots.css";
+
+const place = document.getElementById("app");
+if (place) render(<App />, place);

@@ -1,0 +1,90 @@
+// A run while the arm moves, and what came of it.
+import { useComputed } from "@preact/signals";
+import type { Reproduction } from "../../api/types";
+import { Button, ButtonLink } from "../../components/button";
+import { LoadNotice, ProblemNotice } from "../../components/notice";
+import { OfflineNotice } from "../../components/offline-notice";
+import { Page } from "../../components/page";
+import { Progress } from "../../components/progress";
+import { duration } from "../../format/numbers";
+import { LiveTraces } from "../../plots/live-traces";
+import { loadReproduction, readyModel, reproductions, loadModels } from "../../state/entities";
+import { useAction, useLoad } from "../../state/hooks";
+import { robot } from "../../state/live";
+import { go } from "../../state/navigation";
+import { preview } from "../../state/run-setup";
+import { t } from "../../texts";
+import { MotionResult } from "./motion-result";
+
+export function MotionPage({ task, motion: id }: { task: string; motion: string }) {
+  const load = useLoad(() => loadReproduction(id), id);
+  const motion = reproductions.get(id);
+  if (!motion) {
+    return (
+      <Page title={t.run.title} back={{ page: "setup", task }}>
+        <LoadNotice load={load} empty />
+      </Page>
+    );
+  }
+  return motion.state === "running" ? (
+    <Moving key="moving" />
+  ) : (
+    <Finished key="finished" motion={motion} />
+  );
+}
+
+function Moving() {
+  const text = useComputed(() => JSON.stringify(robot.value?.run ?? null));
+  const run = JSON.parse(text.value) as { phase: string; t_s: number; duration_s: number } | null;
+  const phases: Record<string, string> = t.run.phases;
+  const times = run ? t.run.of(duration(run.t_s), duration(run.duration_s)) : "";
+  return (
+    <Page title={t.run.moving}>
+      <OfflineNotice />
+      <div class="card tone-moving">
+        <p class="phase" role="status">
+          {(run && phases[run.phase]) ?? t.run.phases.waiting}
+        </p>
+        <Progress
+          label={t.run.progress}
+          fraction={run && run.duration_s > 0 ? run.t_s / run.duration_s : null}
+          words={times}
+        />
+      </div>
+      <LiveTraces />
+    </Page>
+  );
+}
+
+function Finished({ motion }: { motion: Reproduction }) {
+  const task = motion.task_id;
+  const again = useAction(async () => {
+    await loadModels(task);
+    await preview(task, readyModel(task)?.id ?? motion.model_id);
+    go({ page: "preview", task });
+  });
+  return (
+    <Page
+      title={t.run.states[motion.state]}
+      back={{ page: "run" }}
+      actions={
+        <>
+          <ButtonLink to={{ page: "setup", task }} icon="pencil">
+            {t.run.otherGoal}
+          </ButtonLink>
+          <Button
+            look="primary"
+            icon="again"
+            busy={again.busy && t.run.previewing}
+            onPress={again.start}
+          >
+            {t.run.again}
+          </Button>
+        </>
+      }
+    >
+      {again.problem && <ProblemNotice title={t.run.refused} problem={again.problem} />}
+      <MotionResult motion={motion} />
+    </Page>
+  );
+}

@@ -1,0 +1,99 @@
+// The planned motion before it happens: checked, drawn, and started only from here.
+import { useComputed } from "@preact/signals";
+import { useEffect, useMemo } from "preact/hooks";
+import { startReproduction } from "../../api/endpoints";
+import { newId } from "../../api/ids";
+import type { Plan } from "../../api/types";
+import { Button, ButtonLink } from "../../components/button";
+import { Figures } from "../../components/figures";
+import { Notice, ProblemNotice } from "../../components/notice";
+import { Page } from "../../components/page";
+import { duration, fixed } from "../../format/numbers";
+import { JointPanels, type Layer } from "../../plots/joint-panels";
+import { reproductions } from "../../state/entities";
+import { useAction } from "../../state/hooks";
+import { connection, robot } from "../../state/live";
+import { go } from "../../state/navigation";
+import { whyNotReady } from "../../state/robot-status";
+import { planOf, preview } from "../../state/run-setup";
+import { t } from "../../texts";
+
+export function PreviewPage({ task }: { task: string }) {
+  const plan = planOf(task);
+  // A reload forgets the plan: back to the choices, which are one press away from a new one.
+  useEffect(() => {
+    if (!plan) go({ page: "setup", task }, true);
+  }, [plan]);
+  return plan ? (
+    <Preview key={plan.plan} task={task} plan={plan} />
+  ) : (
+    <Page title={t.app.loading} />
+  );
+}
+
+function Preview({ task, plan }: { task: string; plan: Plan }) {
+  const id = useMemo(() => newId(), [plan]);
+  const why = useComputed(() => whyNotReady(robot.value, connection.value));
+  const start = useAction(async () => {
+    const reproduction = await startReproduction(id, plan.plan);
+    reproductions.put(reproduction);
+    go({ page: "motion", task, motion: reproduction.id }, true);
+  });
+  const again = useAction(() => preview(task, plan.model_id));
+  const layers = useMemo<Layer[]>(
+    () => [{ label: t.run.planned, joints: plan.joints_deg, look: "strong" }],
+    [plan],
+  );
+  const problem = start.problem ?? again.problem;
+  return (
+    <Page
+      title={t.run.previewTitle}
+      back={{ page: "setup", task }}
+      actions={
+        <>
+          <p class="remark">{t.run.keepAway}</p>
+          <ButtonLink to={{ page: "setup", task }} icon="back">
+            {t.run.change}
+          </ButtonLink>
+          <Button
+            look="primary"
+            icon="play"
+            why={start.busy ? null : why.value}
+            busy={start.busy && t.run.starting}
+            onPress={start.start}
+          >
+            {t.run.startMotion}
+          </Button>
+        </>
+      }
+    >
+      {problem && <ProblemNotice problem={problem} onRetry={again.start} />}
+      <Notice tone="good" icon="check" title={t.run.verdict}>
+        <p>{plan.verdict}</p>
+      </Notice>
+      {plan.warnings.length > 0 && (
+        <Notice tone="soft" icon="alert" title={t.run.warnings}>
+          {plan.warnings.map((warning) => (
+            <p key={warning}>{warning}</p>
+          ))}
+        </Notice>
+      )}
+      <Figures
+        list={[
+          [t.run.duration, duration(plan.duration_s)],
+          [t.run.approach, plan.approach_s > 0 ? duration(plan.approach_s) : null],
+          [
+            t.run.slowedLabel,
+            plan.slowed_by > 1.005 ? t.run.slowed(fixed(plan.slowed_by, 1)) : null,
+          ],
+        ]}
+      />
+      <JointPanels
+        title={t.run.planPlot}
+        timesS={plan.t_s}
+        layers={layers}
+        {...(plan.approach_s > 0 ? { markS: plan.approach_s } : {})}
+      />
+    </Page>
+  );
+}

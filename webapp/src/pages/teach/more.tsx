@@ -1,0 +1,133 @@
+// The rarer things of a task: a file as a take, moving the arm by hand, renaming, deleting.
+import { useSignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { deleteTask, renameTask, uploadDemonstration } from "../../api/endpoints";
+import { Button } from "../../components/button";
+import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
+import { Page } from "../../components/page";
+import { SoftArm } from "../../components/soft-arm";
+import { demonstrations, loadTask, tasks } from "../../state/entities";
+import { useAction, useLoad } from "../../state/hooks";
+import { go } from "../../state/navigation";
+import { t } from "../../texts";
+
+export function MorePage({ task }: { task: string }) {
+  const load = useLoad(() => loadTask(task), task);
+  const known = tasks.get(task);
+  return (
+    <Page title={t.teach.moreTitle} back={{ page: "task", task }}>
+      <LoadNotice load={load} empty={known === undefined} />
+      <SoftArm />
+      <Upload task={task} />
+      {known && <Rename task={task} name={known.name} />}
+      <Remove task={task} />
+    </Page>
+  );
+}
+
+function Upload({ task }: { task: string }) {
+  const input = useRef<HTMLInputElement>(null);
+  const added = useSignal<number | null>(null);
+  const upload = useAction(async () => {
+    const file = input.current?.files?.[0];
+    if (!file) return;
+    added.value = null;
+    const take = await uploadDemonstration(task, file);
+    demonstrations.put(take);
+    added.value = take.take;
+    // The same file may be chosen again, after it was corrected.
+    if (input.current) input.current.value = "";
+  });
+  return (
+    <section class="card">
+      <h2>{t.teach.upload}</h2>
+      <p>{t.teach.uploadHint}</p>
+      <input
+        ref={input}
+        class="hidden-input"
+        type="file"
+        accept=".csv,.json,text/csv,application/json"
+        tabIndex={-1}
+        aria-label={t.teach.upload}
+        onChange={upload.start}
+      />
+      <Button
+        icon="upload"
+        busy={upload.busy && t.teach.uploading}
+        onPress={() => input.current?.click()}
+      >
+        {t.teach.uploadChoose}
+      </Button>
+      {added.value !== null && (
+        <Notice tone="good" icon="check">
+          {t.teach.uploaded(added.value)}
+        </Notice>
+      )}
+      {upload.problem && <ProblemNotice problem={upload.problem} />}
+    </section>
+  );
+}
+
+function Rename({ task, name }: { task: string; name: string }) {
+  const text = useSignal(name);
+  const rename = useAction(async () => tasks.put(await renameTask(task, text.value.trim())));
+  return (
+    <section class="card">
+      <label class="field">
+        <span>{t.teach.name}</span>
+        <input
+          value={text.value}
+          maxLength={80}
+          autoComplete="off"
+          onInput={(event) => (text.value = event.currentTarget.value)}
+        />
+      </label>
+      <Button
+        icon="pencil"
+        why={text.value.trim() === "" ? t.teach.nameMissing : null}
+        busy={rename.busy && t.teach.renaming}
+        onPress={rename.start}
+      >
+        {t.teach.rename}
+      </Button>
+      {rename.problem && <ProblemNotice problem={rename.problem} />}
+    </section>
+  );
+}
+
+function Remove({ task }: { task: string }) {
+  const asking = useSignal(false);
+  const remove = useAction(async () => {
+    await deleteTask(task);
+    tasks.forget(task);
+    go({ page: "teach" }, true);
+  });
+  return (
+    <section class="card">
+      {asking.value ? (
+        <>
+          {/* The answers are below what was pressed, perhaps out of sight. */}
+          <p ref={(question) => question?.parentElement?.scrollIntoView({ block: "end" })}>
+            {t.teach.removeAsk}
+          </p>
+          <Button
+            look="danger"
+            icon="bin"
+            busy={remove.busy && t.teach.removing}
+            onPress={remove.start}
+          >
+            {t.teach.removeYes}
+          </Button>
+          <Button icon="back" onPress={() => (asking.value = false)}>
+            {t.teach.removeNo}
+          </Button>
+        </>
+      ) : (
+        <Button icon="bin" onPress={() => (asking.value = true)}>
+          {t.teach.remove}
+        </Button>
+      )}
+      {remove.problem && <ProblemNotice problem={remove.problem} />}
+    </section>
+  );
+}

@@ -1,0 +1,61 @@
+// Naming a new task.
+import { useSignal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import { createTask } from "../../api/endpoints";
+import { newId } from "../../api/ids";
+import { Button } from "../../components/button";
+import { ProblemNotice } from "../../components/notice";
+import { Page } from "../../components/page";
+import { tasks } from "../../state/entities";
+import { useAction } from "../../state/hooks";
+import { go } from "../../state/navigation";
+import { t } from "../../texts";
+
+export function NewTaskPage() {
+  const name = useSignal("");
+  // One id for all trials: a repeated request makes one task.
+  const id = useMemo(() => newId(), []);
+  const create = useAction(async () => {
+    const task = await createTask(id, name.value.trim());
+    tasks.put(task);
+    go({ page: "task", task: task.id }, true);
+  });
+  const missing = name.value.trim() === "";
+  return (
+    <Page
+      title={t.teach.newTask}
+      back={{ page: "teach" }}
+      actions={
+        <Button
+          look="primary"
+          icon="check"
+          why={missing ? t.teach.nameMissing : null}
+          busy={create.busy && t.teach.creating}
+          onPress={create.start}
+        >
+          {t.teach.create}
+        </Button>
+      }
+    >
+      <form
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (!missing) create.start();
+        }}
+      >
+        <label class="field">
+          <span>{t.teach.name}</span>
+          <input
+            value={name.value}
+            maxLength={80}
+            autoComplete="off"
+            enterKeyHint="done"
+            onInput={(event) => (name.value = event.currentTarget.value)}
+          />
+        </label>
+        <p class="hint">{t.teach.nameExample}</p>
+      </form>
+      {create.problem && <ProblemNotice problem={create.problem} />}
+    </Page>
+  );
+}

@@ -1,0 +1,75 @@
+// A finished take: its state, its plot and its figures.
+import { useSignal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import { getTrajectory } from "../../api/endpoints";
+import type { Demonstration, Trajectory } from "../../api/types";
+import { Figures } from "../../components/figures";
+import { LoadNotice, Notice } from "../../components/notice";
+import { duration, fixed } from "../../format/numbers";
+import { JointPanels, type Layer } from "../../plots/joint-panels";
+import { useLoad } from "../../state/hooks";
+import { t } from "../../texts";
+
+export function ReviewView({ take }: { take: Demonstration }) {
+  const trajectory = useSignal<Trajectory | null>(null);
+  const load = useLoad(async () => {
+    trajectory.value = await getTrajectory(take.id, 300);
+  }, take.id);
+  const shown = trajectory.value;
+  const layers = useMemo<Layer[]>(
+    () => (shown ? [{ label: t.plot.degrees, joints: shown.joints_deg, look: "strong" }] : []),
+    [shown],
+  );
+  return (
+    <>
+      <StateNotice take={take} />
+      {take.problem && (
+        <Notice tone="bad" icon="alert">
+          <p>{take.problem}</p>
+        </Notice>
+      )}
+      {take.note && take.state !== "interrupted" && (
+        <Notice tone="plain" icon="info">
+          <p>{take.note}</p>
+        </Notice>
+      )}
+      <LoadNotice load={load} empty={shown === null} />
+      {shown && <JointPanels title={t.teach.tracePlot} timesS={shown.t_s} layers={layers} />}
+      <Figures
+        list={[
+          [t.teach.figures.duration, duration(take.duration_s)],
+          [t.teach.figures.source, t.teach.sources[take.source]],
+          [t.teach.figures.samples, String(take.samples)],
+          [t.teach.figures.rate, fixed(take.rate_hz, 0)],
+          [t.teach.figures.gaps, String(take.gaps)],
+        ]}
+      />
+    </>
+  );
+}
+
+function StateNotice({ take }: { take: Demonstration }) {
+  switch (take.state) {
+    case "interrupted":
+      return (
+        <Notice tone="soft" icon="alert" title={t.teach.states.interrupted}>
+          <p>{t.teach.interruptedExplain}</p>
+          {take.note && <p>{take.note}</p>}
+        </Notice>
+      );
+    case "kept":
+      return (
+        <Notice tone="good" icon="check">
+          <p>{t.teach.isKept}</p>
+        </Notice>
+      );
+    case "discarded":
+      return (
+        <Notice tone="plain" icon="bin">
+          <p>{t.teach.isDiscarded}</p>
+        </Notice>
+      );
+    default:
+      return <p class="question">{t.teach.reviewAsk}</p>;
+  }
+}

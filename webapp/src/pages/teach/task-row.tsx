@@ -1,0 +1,33 @@
+// A task in the list, with how far it is: what waits for a decision is said here already.
+import type { Task } from "../../api/types";
+import { Icon } from "../../components/icon";
+import { RowLink } from "../../components/row-link";
+import { demonstrations, readyModel } from "../../state/entities";
+import { t } from "../../texts";
+import { TAKE_LOOKS } from "./take-list";
+
+export function TaskRow({ task }: { task: Task }) {
+  const takes = demonstrations.where((take) => take.task_id === task.id);
+  const kept = takes.filter((take) => take.state === "kept").length;
+  const waiting = takes.find((take) => take.state === "interrupted" || take.state === "recorded");
+  return (
+    <RowLink to={{ page: "task", task: task.id }} label={t.teach.open(task.name)}>
+      <span class="row-name">
+        <strong>{task.name}</strong>
+        {waiting ? (
+          <span class="state tone-soft">
+            <Icon name={TAKE_LOOKS[waiting.state].icon} />
+            {t.teach.waiting(waiting.take, t.teach.states[waiting.state])}
+          </span>
+        ) : readyModel(task.id) ? (
+          <span class="state tone-good">
+            <Icon name="check" />
+            {t.teach.isTrained}
+          </span>
+        ) : (
+          <span>{t.teach.keptCount(kept)}</span>
+        )}
+      </span>
+    </RowLink>
+  );
+}

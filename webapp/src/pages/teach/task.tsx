@@ -1,0 +1,163 @@
+// One task: its takes, its trained motion, and the next step put forward.
+import { useSignal } from "@preact/signals";
+import type { Demonstration, Model } from "../../api/types";
+import { Button, ButtonLink } from "../../components/button";
+import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
+import { Page } from "../../components/page";
+import { RowLink } from "../../components/row-link";
+import { trainModel } from "../../api/endpoints";
+import { demonstrations, jobs, loadAllOf, models, readyModel, tasks } from "../../state/entities";
+import { useAction, useLoad, type Action } from "../../state/hooks";
+import { go } from "../../state/navigation";
+import { ENOUGH_TAKES, nextStep, type NextStep } from "../../state/next-step";
+import { t } from "../../texts";
+import { TakeList } from "./take-list";
+
+export function TaskPage({ task }: { task: string }) {
+  const load = useLoad(() => loadAllOf(task), task);
+  const takes = demonstrations.where((take) => take.task_id === task);
+  const trained = models.where((model) => model.task_id === task);
+  const kept = takes.filter((take) => take.state === "kept").length;
+  const train = useAction(async () => {
+    const answer = await trainModel(task);
+    jobs.put(answer.job);
+    models.put(answer.model);
+    go({ page: "model", task, model: answer.model.id });
+  });
+  const known = tasks.get(task);
+  // No next step is put forward before all takes are known: it could be the wrong one.
+  const complete = useSignal(false);
+  if (known && !load.loading && !load.problem) complete.value = true;
+  const step = nextStep(takes, trained);
+  return (
+    <Page
+      title={known?.name ?? t.app.loading}
+      back={{ page: "teach" }}
+      actions={
+        complete.value ? <Actions {...{ task, step, kept, train }} /> : <div class="later" />
+      }
+    >
+      <LoadNotice load={load} empty={known === undefined} />
+      {train.problem && <ProblemNotice problem={train.problem} />}
+      {known && (
+        <>
+          <Result task={task} model={readyModel(task)} />
+          <h2>{t.teach.takes}</h2>
+          <Advice takes={takes} kept={kept} />
+          <TakeList task={task} takes={takes} />
+          <ButtonLink to={{ page: "more", task }} look="quiet" icon="dots">
+            {t.teach.more}
+          </ButtonLink>
+        </>
+      )}
+    </Page>
+  );
+}
+
+function Result({ task, model }: { task: string; model: Model | undefined }) {
+  if (!model) return null;
+  return (
+    <ul class="rows">
+      <RowLink to={{ page: "model", task, model: model.id }} label={t.teach.toResult}>
+        <span class="row-name">
+          <strong>{t.teach.result}</strong>
+          <span>{t.teach.version(model.version)}</span>
+        </span>
+      </RowLink>
+    </ul>
+  );
+}
+
+function Advice({ takes, kept }: { takes: Demonstration[]; kept: number }) {
+  if (takes.length === 0) return <p>{t.teach.noTakes}</p>;
+  return (
+    <>
+      <p>{kept >= ENOUGH_TAKES ? t.teach.keptEnough(kept) : t.teach.keptCount(kept)}</p>
+      {kept === 1 && (
+        <Notice tone="plain" icon="info">
+          {t.teach.trainOne}
+        </Notice>
+      )}
+      {kept === 2 && (
+        <Notice tone="plain" icon="info">
+          {t.teach.trainTwo}
+        </Notice>
+      )}
+    </>
+  );
+}
+
+interface ActionsProps {
+  task: string;
+  step: NextStep;
+  kept: number;
+  train: Action;
+}
+
+function Actions({ task, step, kept, train }: ActionsProps) {
+  switch (step.step) {
+    case "recording":
+      return (
+        <ButtonLink to={{ page: "take", task, take: step.take.id }} look="primary" icon="record">
+          {t.teach.toRecording}
+        </ButtonLink>
+      );
+    case "decide":
+      return (
+        <ButtonLink to={{ page: "take", task, take: step.take.id }} look="primary" icon="eye">
+          {t.teach.lookAt(step.take.take)}
+        </ButtonLink>
+      );
+    case "training":
+      return (
+        <ButtonLink to={{ page: "model", task, model: step.model.id }} look="primary" icon="train">
+          {t.teach.toTraining}
+        </ButtonLink>
+      );
+    case "result":
+      return (
+        <>
+          <RecordLink task={task} look="secondary" another />
+          <ButtonLink to={{ page: "setup", task }} look="primary" icon="play">
+            {t.teach.runIt}
+          </ButtonLink>
+        </>
+      );
+    case "train":
+      return (
+        <>
+          <RecordLink task={task} look="secondary" another />
+          <TrainButton train={train} look="primary" kept={kept} />
+        </>
+      );
+    case "record":
+      return (
+        <>
+          {kept > 0 && <TrainButton train={train} look="secondary" kept={kept} />}
+          <RecordLink task={task} look="primary" another={kept > 0} />
+        </>
+      );
+  }
+}
+
+function RecordLink(props: { task: string; look: "primary" | "secondary"; another: boolean }) {
+  return (
+    <ButtonLink to={{ page: "record", task: props.task }} look={props.look} icon="record">
+      {props.another ? t.teach.recordAnother : t.teach.record}
+    </ButtonLink>
+  );
+}
+
+function TrainButton(props: { train: Action; look: "primary" | "secondary"; kept: number }) {
+  return (
+    <Button
+      look={props.look}
+      icon="train"
+      why={props.kept === 0 ? t.teach.trainNeeds : null}
+      busy={props.train.busy && t.teach.trainStarting}
+      onPress={props.train.start}
+    >
+      {t.teach.train}
+    </Button>
+  );
+}

@@ -1,0 +1,127 @@
+// Six small plots, one for each joint: told apart by place and name, so colour carries nothing.
+import { useMemo } from "preact/hooks";
+import type uPlot from "uplot";
+import { degrees } from "../format/numbers";
+import { t } from "../texts";
+import { AXIS_FONT, Chart, PLAIN } from "./chart";
+import { colour } from "./colours";
+import { NumbersTable } from "./numbers-table";
+import { paddedRange, sentence, summarise } from "./summary";
+
+export interface Layer {
+  label: string;
+  /** One list of angles for each joint. */
+  joints: number[][];
+  look: "strong" | "thin" | "dashed";
+}
+
+interface Props {
+  title: string;
+  timesS: number[];
+  layers: Layer[];
+  /** Half the height of a band around the first layer, for each joint. */
+  bandDeg?: number[][];
+  /** Where the motion proper begins: a vertical line. */
+  markS?: number;
+}
+
+export function JointPanels({ title, timesS, layers, bandDeg, markS }: Props) {
+  const main = layers[0]?.joints ?? [];
+  return (
+    <figure class="panels">
+      <figcaption>{title}</figcaption>
+      {layers.length > 1 && <Legend layers={layers} />}
+      <div class="panel-grid" role="img" aria-label={sentence(title, timesS, main)}>
+        {main.map((_, joint) => (
+          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, joint }} />
+        ))}
+      </div>
+      <NumbersTable caption={title} joints={main} />
+    </figure>
+  );
+}
+
+interface PanelProps {
+  timesS: number[];
+  layers: Layer[];
+  bandDeg: number[][] | undefined;
+  markS: number | undefined;
+  joint: number;
+}
+
+function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
+  const band = bandDeg?.[joint];
+  const data = useMemo<uPlot.AlignedData>(() => {
+    const lines = layers.map((layer) => layer.joints[joint] ?? []);
+    const main = lines[0] ?? [];
+    const edges = band
+      ? [main.map((value, at) => value + band[at]!), main.map((value, at) => value - band[at]!)]
+      : [];
+    return [timesS, ...edges, ...lines];
+  }, [timesS, layers, band, joint]);
+  const options = () => panelOptions(layers, band !== undefined, markS);
+  const summary = summarise(layers[0]?.joints[joint] ?? []);
+  return (
+    <div class="panel">
+      <p class="panel-name">
+        <strong>{t.plot.short(joint + 1)}</strong>
+        {summary && <span>{degrees(summary.highest - summary.lowest, 0)}</span>}
+      </p>
+      <Chart options={options} data={data} height={120} />
+    </div>
+  );
+}
+
+function panelOptions(layers: Layer[], banded: boolean, markS: number | undefined) {
+  const edge: uPlot.Series = { stroke: "transparent", points: { show: false } };
+  const lines = layers.map((layer) => ({
+    stroke: colour(layer.look === "dashed" ? "plot-second" : "plot-first"),
+    width: layer.look === "thin" ? 1 : 2,
+    dash: layer.look === "dashed" ? [5, 4] : [],
+    points: { show: false },
+  }));
+  const axis = {
+    stroke: colour("plot-axis"),
+    font: AXIS_FONT,
+    grid: { stroke: colour("plot-grid"), width: 1 },
+  };
+  const options: Omit<uPlot.Options, "width" | "height"> = {
+    ...PLAIN,
+    padding: [6, 8, 0, 0],
+    scales: { x: { time: false }, y: { range: (_, low, high) => paddedRange(low, high) } },
+    series: [{}, ...(banded ? [edge, edge] : []), ...lines],
+    axes: [
+      { ...axis, size: 24, gap: 2, space: 44, ticks: { show: false } },
+      { ...axis, size: 40, gap: 4, space: 32, ticks: { show: false } },
+    ],
+  };
+  if (banded) options.bands = [{ series: [1, 2], fill: colour("plot-band") }];
+  if (markS !== undefined) options.hooks = { draw: [(plot) => drawMark(plot, markS)] };
+  return options;
+}
+
+function drawMark(plot: uPlot, atS: number): void {
+  const x = Math.round(plot.valToPos(atS, "x", true));
+  const { top, height } = plot.bbox;
+  plot.ctx.save();
+  plot.ctx.strokeStyle = colour("plot-axis");
+  plot.ctx.setLineDash([2, 4]);
+  plot.ctx.beginPath();
+  plot.ctx.moveTo(x, top);
+  plot.ctx.lineTo(x, top + height);
+  plot.ctx.stroke();
+  plot.ctx.restore();
+}
+
+function Legend({ layers }: { layers: Layer[] }) {
+  return (
+    <p class="legend">
+      {layers.map((layer) => (
+        <span key={layer.label}>
+          <i class={`legend-line legend-${layer.look}`} aria-hidden="true" />
+          {layer.label}
+        </span>
+      ))}
+    </p>
+  );
+}

@@ -1,0 +1,80 @@
+// What the live socket brings: the robot, and changes of everything else. Also the stop.
+import { computed, signal } from "@preact/signals";
+import type { LiveMessage, RobotView } from "../api/types";
+import { stopRobot } from "../api/endpoints";
+import type { ConnectionState } from "../live/connection";
+import { JointRing } from "../live/ring-buffer";
+import { LiveSocket } from "../live/socket";
+import { demonstrations, jobs, models, reproductions } from "./entities";
+
+export const connection = signal<ConnectionState>("lost");
+export const robot = signal<RobotView | null>(null);
+/** Local time at which `robot` came in, for its age. */
+export const robotAtMs = signal(0);
+/** Counts the snapshots: screens load anew when it changes, so nothing missed stays unseen. */
+export const snapshots = signal(0);
+/** Advances a few times a second, for ages and elapsed times. */
+export const nowMs = signal(Date.now());
+/** Twelve seconds of joints at 25 Hz with room to spare. */
+export const recentJoints = new JointRing(1024);
+
+export const robotState = computed(() => robot.value?.state ?? null);
+export const isVirtual = computed(() => robot.value?.kind === "virtual");
+
+let socket: LiveSocket | null = null;
+
+export function startLive(): void {
+  if (socket === null) {
+    const scheme = location.protocol === "https:" ? "wss:" : "ws:";
+    socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live`, {
+      state: (state) => (connection.value = state),
+      message: receive,
+    });
+    setInterval(() => (nowMs.value = Date.now()), 250);
+    document.addEventListener("visibilitychange", () => {
+      if (document.visibilityState === "visible") socket?.open();
+    });
+  }
+  socket.open();
+}
+
+/** Stops the arm by both ways at once; either alone is enough. Settles well when the server has
+ *  answered: what went into the socket may be lost without notice. */
+export async function stop(): Promise<void> {
+  socket?.send({ type: "stop" });
+  await stopRobot();
+}
+
+function receive(message: LiveMessage): void {
+  switch (message.type) {
+    case "snapshot":
+      recentJoints.clear();
+      takeRobot(message.robot);
+      if (message.demonstration) demonstrations.put(message.demonstration);
+      if (message.reproduction) reproductions.put(message.reproduction);
+      jobs.put(...message.jobs);
+      snapshots.value += 1;
+      break;
+    case "robot":
+      takeRobot(message.robot);
+      break;
+    case "demonstration":
+      demonstrations.put(message.demonstration);
+      break;
+    case "job":
+      jobs.put(message.job);
+      break;
+    case "model":
+      models.put(message.model);
+      break;
+    case "reproduction":
+      reproductions.put(message.reproduction);
+      break;
+  }
+}
+
+function takeRobot(view: RobotView): void {
+  robot.value = view;
+  robotAtMs.value = Date.now();
+  if (view.joints_deg) recentJoints.push((performance.now() - view.age_ms) / 1000, view.joints_deg);
+}

@@ -1,0 +1,58 @@
+// What a person chose for a run, per task, kept while the app is open; and the plan made from it.
+import { signal } from "@preact/signals";
+import { makePlan } from "../api/endpoints";
+import type { Placement, Plan, PlanRequest } from "../api/types";
+import { readJoints } from "../format/joint-ranges";
+import { fixed } from "../format/numbers";
+
+export type GoalChoice = "as_taught" | "present" | "typed";
+export type StartChoice = "as_taught" | "present";
+export const SPEEDS = ["0.25", "0.5", "1"] as const;
+export type Speed = (typeof SPEEDS)[number];
+
+export interface RunSetup {
+  goal: GoalChoice;
+  /** The six typed joint angles, as typed. */
+  typed: string[];
+  start: StartChoice;
+  speed: Speed;
+}
+
+/** Slow is where everyone begins: a new motion is watched before it is let go. */
+const FRESH: RunSetup = { goal: "as_taught", typed: [], start: "as_taught", speed: "0.25" };
+
+const setups = signal<ReadonlyMap<string, RunSetup>>(new Map());
+const plans = signal<ReadonlyMap<string, Plan>>(new Map());
+
+export function setupOf(task: string): RunSetup {
+  return setups.value.get(task) ?? FRESH;
+}
+
+export function change(task: string, changed: Partial<RunSetup>): void {
+  setups.value = new Map(setups.peek()).set(task, { ...setupOf(task), ...changed });
+}
+
+export function planOf(task: string): Plan | undefined {
+  return plans.value.get(task);
+}
+
+/** The choices as a request; null while a typed number is missing or wrong. */
+export function planRequest(model: string, setup: RunSetup): PlanRequest | null {
+  const joints = setup.goal === "typed" ? readJoints(setup.typed) : null;
+  if (setup.goal === "typed" && joints === null) return null;
+  const goal: Placement = setup.goal === "typed" ? { joints_deg: joints ?? [] } : setup.goal;
+  return { model_id: model, start: setup.start, goal, speed: Number(setup.speed) };
+}
+
+/** Asks the server for the motion and keeps it for the preview. */
+export async function preview(task: string, model: string): Promise<void> {
+  const request = planRequest(model, setupOf(task));
+  if (request === null) return;
+  const plan = await makePlan(request);
+  plans.value = new Map(plans.peek()).set(task, plan);
+}
+
+/** Joint angles as text to start typing from. */
+export function asTyped(joints: readonly number[]): string[] {
+  return joints.map((value) => fixed(value, 1).replace("−", "-"));
+}
