@@ -1,5 +1,7 @@
-//! The command line beside the server: training and reproduction on files.
+//! The command line beside the server: training, reproduction and
+//! evaluation on files.
 
+pub mod evaluate;
 mod folder;
 pub mod reproduce;
 mod terminal;

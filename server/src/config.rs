@@ -59,6 +59,8 @@ pub enum Command {
     Serve(Config),
     /// Train a model from recorded files.
     Train(cli::train::Args),
+    /// Compute the tables of the method's evaluation from recorded files.
+    Evaluate(cli::evaluate::Args),
     /// Reproduce a model into numbers.
     Reproduce(cli::reproduce::Args),
 }

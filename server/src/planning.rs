@@ -2,14 +2,18 @@
 //! streamed: a slow approach to the start, the motion, slowed down where the
 //! limits ask for it, and the gate's word on the whole.
 
+mod error;
+
 use learning::{Model, dmp::Extent};
 use motion::{
     JOINTS, JointAngles,
-    gate::{self, Inspection, ProposedMotion, Refusal},
+    gate::{self, Inspection, ProposedMotion},
     limits::RobotLimits,
     plan::Plan,
     spline::Spline,
 };
+
+pub use error::PlanError;
 
 /// Period of the samples: the nominal cycle of the controller.
 const PERIOD_S: f64 = 0.004;
@@ -74,76 +78,6 @@ pub struct PlannedMotion {
     pub warnings: Vec<String>,
 }
 
-/// Why there is no plan.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PlanError {
-    /// The speed is no share of the taught one.
-    #[error("the speed is {0}, it must be between {SLOWEST} and 1")]
-    BadSpeed(f64),
-    /// "present" was asked for, but nobody knows where the arm stands.
-    #[error("it is not known where the arm stands")]
-    PresentUnknown,
-    /// The model moves another kind of arm.
-    #[error("this motion has {0} joints, the arm has {JOINTS}")]
-    JointCount(usize),
-    /// A start or goal outside the arm's range.
-    #[error(
-        "the {which} of joint {joint} is {value_deg:.1}°, its range is {min_deg:.0}° to {max_deg:.0}°"
-    )]
-    TargetOutsideRange {
-        /// "start" or "goal".
-        which: &'static str,
-        /// Joint, from 1.
-        joint: usize,
-        /// What was asked for, degrees.
-        value_deg: f64,
-        /// Lower end of the range, degrees.
-        min_deg: f64,
-        /// Upper end of the range, degrees.
-        max_deg: f64,
-    },
-    /// The reproduction does not come to rest at the goal.
-    #[error("the motion does not come to rest at the goal")]
-    DoesNotSettle,
-    /// The model refused the start or the goal.
-    #[error(transparent)]
-    Learning(#[from] learning::Error),
-    /// The gate refused the motion.
-    #[error("the motion may not run: {0}")]
-    Refused(#[from] Refusal),
-}
-
-impl PlanError {
-    /// A stable name for programs.
-    pub fn code(&self) -> &'static str {
-        match self {
-            PlanError::BadSpeed(_) => "bad_speed",
-            PlanError::PresentUnknown => "present_pose_unknown",
-            PlanError::JointCount(_) => "wrong_joint_count",
-            PlanError::TargetOutsideRange { .. } => "outside_joint_range",
-            PlanError::DoesNotSettle => "motion_does_not_settle",
-            PlanError::Learning(error) => error.code(),
-            PlanError::Refused(refusal) => refusal.code(),
-        }
-    }
-
-    /// What a worker can do about it.
-    pub fn advice(&self) -> &'static str {
-        match self {
-            PlanError::BadSpeed(_) => "Choose a speed between 5 and 100 percent.",
-            PlanError::PresentUnknown => {
-                "Wait until the arm is connected, or give the joint angles yourself."
-            }
-            PlanError::JointCount(_) => "Choose a motion that was taught with this arm.",
-            PlanError::TargetOutsideRange { .. } | PlanError::Refused(_) => {
-                "Choose a start or goal nearer to what you taught, or teach the motion in another place."
-            }
-            PlanError::DoesNotSettle => "Train the task again, with one more take.",
-            PlanError::Learning(error) => error.advice(),
-        }
-    }
-}
-
 /// Plans the reproduction of `model`. `present` is where the arm stands; without
 /// it the plan has no approach and can only be looked at.
 pub fn plan(
@@ -156,7 +90,12 @@ pub fn plan(
         return Err(PlanError::BadSpeed(request.speed));
     }
     let start = resolve("start", request.start, model.start_deg(), present, limits)?;
-    let goal = resolve("goal", request.goal, model.goal_deg(), present, limits)?;
+    let mut goal = resolve("goal", request.goal, model.goal_deg(), present, limits)?;
+    let turned = if request.goal == Target::AsTaught {
+        turn_with_start(&start, &mut goal, model.start_deg(), limits)?
+    } else {
+        None
+    };
     let motion = reproduction(model, &start, &goal)?;
     let (motion, stretch) = within_rates(&motion, 1.0 / request.speed, limits)?;
 
@@ -174,7 +113,7 @@ pub fn plan(
     let inspection = gate::inspect(&proposed, limits)?;
     let plan = gate::approve(&proposed, limits)?;
     let slowed_by = stretch * request.speed;
-    let warnings = warnings(
+    let mut warnings = warnings(
         model,
         &start,
         &goal,
@@ -183,6 +122,12 @@ pub fn plan(
         present,
         limits,
     );
+    if let Some(joint) = turned {
+        warnings.push(format!(
+            "Joint {} stands a whole turn from what you taught; the goal is taken at the same turn.",
+            joint + 1
+        ));
+    }
     Ok(PlannedMotion {
         plan,
         start,
@@ -219,6 +164,34 @@ fn resolve(
         }),
         None => Ok(joints),
     }
+}
+
+/// A joint that stands whole turns away from the taught start (only the wrist can)
+/// keeps them: the goal is taken at the same turn, where the tool points the same
+/// way, instead of unwinding on the way. Gives the joint that was turned, from 0.
+fn turn_with_start(
+    start: &JointAngles,
+    goal: &mut JointAngles,
+    taught_start_deg: &[f64],
+    limits: &RobotLimits,
+) -> Result<Option<usize>, PlanError> {
+    let mut turned = None;
+    for j in 0..JOINTS {
+        let offset_deg = start.0[j] - taught_start_deg[j];
+        let turns = (offset_deg / 360.0).round();
+        if turns == 0.0 {
+            continue;
+        }
+        goal.0[j] += 360.0 * turns;
+        if limits.joint_out_of_range(goal) == Some(j) {
+            return Err(PlanError::TurnedAway {
+                joint: j + 1,
+                offset_deg,
+            });
+        }
+        turned = Some(j);
+    }
+    Ok(turned)
 }
 
 /// The motion at the taught speed, at rest at the goal.
@@ -360,7 +333,10 @@ fn warnings(
         ("start", start, model.start_deg()),
         ("goal", goal, model.goal_deg()),
     ] {
-        let off = |j: &usize| (target.0[*j] - taught[*j]).abs();
+        let off = |j: &usize| {
+            let offset = target.0[*j] - taught[*j];
+            (offset - 360.0 * (offset / 360.0).round()).abs()
+        };
         if let Some(j) = (0..JOINTS).find(|j| off(j) > FAR_DEG) {
             warnings.push(format!(
                 "The {which} is {:.0}° from what you taught at joint {}. Watch the arm closely.",

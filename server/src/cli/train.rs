@@ -35,7 +35,7 @@ pub struct Args {
     pub json: bool,
 }
 
-fn method(name: &str) -> Result<Method, String> {
+pub(super) fn method(name: &str) -> Result<Method, String> {
     Method::from_name(name)
         .ok_or_else(|| format!("no method is called \"{name}\"; use \"faithful\" or \"paper\""))
 }

@@ -363,6 +363,9 @@ fn place_of(error: &PlanError) -> Option<Value> {
             "field": which, "joint": joint, "value_deg": value_deg,
             "min_deg": min_deg, "max_deg": max_deg,
         })),
+        PlanError::TurnedAway { joint, offset_deg } => Some(json!({
+            "field": "start", "joint": joint, "offset_deg": offset_deg,
+        })),
         PlanError::Learning(error) => serde_json::to_value(error.where_()).ok(),
         PlanError::Refused(refusal) => Some(match refusal {
             Refusal::Malformed => json!({}),

@@ -5,6 +5,8 @@ use std::sync::OnceLock;
 
 use learning::{Demonstration, TrainingParams};
 
+use motion::gate::Refusal;
+
 use super::*;
 
 /// A motion of joints 1, 2 and 5, taught three times in `duration_s`.
@@ -188,6 +190,53 @@ fn the_present_pose_must_be_known_to_be_asked_for() {
     let without = plan(model(), &as_taught(), None, &limits()).unwrap();
     assert_eq!(without.plan.approach_s(), 0.0);
     assert!(without.warnings.iter().any(|w| w.contains("No arm")));
+}
+
+/// Joint 6 was taught at 0 deg; its range is ±270 deg.
+#[test]
+fn a_wrist_a_turn_away_keeps_its_turn_or_is_refused() {
+    let at = |q6: f64| {
+        let mut start = JointAngles(std::array::from_fn(|j| model().start_deg()[j]));
+        start.0[5] = q6;
+        let request = PlanRequest {
+            start: Target::Joints(start),
+            ..as_taught()
+        };
+        plan(model(), &request, None, &limits())
+    };
+    let near = at(100.0).unwrap();
+    assert!(
+        near.goal.0[5].abs() < 1e-6,
+        "less than half a turn is no turn"
+    );
+    let PlanError::TurnedAway { joint, offset_deg } = at(260.0).unwrap_err() else {
+        panic!("a goal at 360 deg is out of the range");
+    };
+    assert_eq!((joint, offset_deg.round()), (6, 260.0));
+
+    let mut turned = model().clone();
+    for pose in [
+        &mut turned.primitive.start_deg,
+        &mut turned.primitive.goal_deg,
+    ] {
+        pose[5] -= 150.0;
+    }
+    let mut start = JointAngles(std::array::from_fn(|j| turned.start_deg()[j]));
+    start.0[5] = 129.0;
+    let request = PlanRequest {
+        start: Target::Joints(start),
+        ..as_taught()
+    };
+    // 279 deg off, as seen on factory floors: the goal at the same turn is 210 deg.
+    let planned = plan(&turned, &request, None, &limits()).unwrap();
+    assert!(
+        (planned.goal.0[5] - 210.0).abs() < 1e-6,
+        "{:?}",
+        planned.goal
+    );
+    assert!(planned.warnings.iter().any(|w| w.contains("whole turn")));
+    let wound = |q: &motion::plan::Setpoint| (129.0 - 1.0..=210.0 + 1.0).contains(&q.joints.0[5]);
+    assert!(planned.plan.samples().iter().all(wound));
 }
 
 #[test]

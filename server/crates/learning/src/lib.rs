@@ -36,6 +36,7 @@ pub mod alignment;
 pub mod demonstration;
 pub mod dmp;
 mod error;
+pub mod evaluation;
 mod exp;
 pub mod metrics;
 pub mod mixture;

@@ -15,6 +15,7 @@ use crate::{
     rng::Stream,
     selection::Stability,
 };
+use encoding::Encoding;
 
 /// Most demonstrations of one task.
 const MAX_DEMONSTRATIONS: usize = 50;
@@ -33,11 +34,7 @@ pub fn train(
     params: &TrainingParams,
     progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Model, Error> {
-    check(demonstrations)?;
-    let encoding = match params.method {
-        Method::Paper => encoding::by_the_paper(demonstrations, params, progress)?,
-        Method::Faithful => encoding::faithfully(demonstrations, params, progress)?,
-    };
+    let encoding = encode(demonstrations, params, progress)?;
     let regression = &encoding.regression;
     let (primitive, optimum) = optimise(regression, params, progress)?;
 
@@ -93,6 +90,19 @@ pub fn train(
     ))
 }
 
+/// The motion that the demonstrations have in common, by the method of `params`.
+pub(crate) fn encode(
+    demonstrations: &[Demonstration],
+    params: &TrainingParams,
+    progress: progress::Report,
+) -> Result<Encoding, Error> {
+    check(demonstrations)?;
+    match params.method {
+        Method::Paper => encoding::by_the_paper(demonstrations, params, progress),
+        Method::Faithful => encoding::faithfully(demonstrations, params, progress),
+    }
+}
+
 fn check(demonstrations: &[Demonstration]) -> Result<(), Error> {
     let first = demonstrations.first().ok_or(Error::NoDemonstrations)?;
     if demonstrations.len() > MAX_DEMONSTRATIONS {
@@ -118,32 +128,41 @@ fn optimise(
     params: &TrainingParams,
     progress: progress::Report,
 ) -> Result<(MovementPrimitive, Optimum), Error> {
+    let counter = Counter::begin(progress, Stage::Optimisation, params.search.max_calls)?;
+    let optimum = optimisation::minimise(&params.search, params.seed, &mut |point| {
+        counter.step()?;
+        objective_at(regression, params.method, point)
+    })?;
+    let primitive = primitive_at(regression, params.method, optimum.best.point);
+    Ok((primitive, optimum))
+}
+
+/// The primitive that imitates the regression with the parameters (alpha_z, N).
+fn primitive_at(
+    regression: &Regression,
+    method: Method,
+    [alpha_z, n_basis]: [u32; 2],
+) -> MovementPrimitive {
     let dt_s = regression.t_s[1] - regression.t_s[0];
     let path = &regression.mean_deg;
-    let (tau_s, floor) = match params.method {
+    let (tau_s, floor) = match method {
         // A faithful motion comes to rest by itself: it is pushed to its very end.
         Method::Faithful => (regression.t_s[path.len() - 1], dmp::SMALLEST_FLOOR),
         Method::Paper => (dmp::time_constant_s(path, dt_s), dmp::PUBLISHED_FLOOR),
     };
-    let primitive_at = |[alpha_z, n_basis]: [u32; 2]| {
-        dmp::imitate(
-            path,
-            dt_s,
-            tau_s,
-            f64::from(alpha_z),
-            n_basis as usize,
-            floor,
-        )
-    };
-    let counter = Counter::begin(progress, Stage::Optimisation, params.search.max_calls)?;
-    let optimum = optimisation::minimise(&params.search, params.seed, &mut |point| {
-        counter.step()?;
-        let primitive = primitive_at(point);
-        let rollout =
-            primitive.rollout(&primitive.start_deg, &primitive.goal_deg, Extent::AsTaught)?;
-        Ok(metrics::objective(&rollout, path))
-    })?;
-    Ok((primitive_at(optimum.best.point), optimum))
+    let (alpha_z, n_basis) = (f64::from(alpha_z), n_basis as usize);
+    dmp::imitate(path, dt_s, tau_s, alpha_z, n_basis, floor)
+}
+
+/// The objective of the optimisation at (alpha_z, N), degrees.
+pub(crate) fn objective_at(
+    regression: &Regression,
+    method: Method,
+    point: [u32; 2],
+) -> Result<f64, Error> {
+    let primitive = primitive_at(regression, method, point);
+    let rollout = primitive.rollout(&primitive.start_deg, &primitive.goal_deg, Extent::AsTaught)?;
+    Ok(metrics::objective(&rollout, &regression.mean_deg))
 }
 
 fn on_bound_of(optimum: &Optimum, params: &TrainingParams) -> Vec<String> {
