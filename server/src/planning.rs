@@ -30,8 +30,6 @@ const APPROACH_TCP_SPEED_MM_S: f64 = 100.0;
 const APPROACH_SHORTEST_S: f64 = 1.0;
 /// Rest between approach and motion.
 const PAUSE_S: f64 = 0.25;
-/// Nearer than this to the start, no approach is needed.
-const AT_START_DEG: f64 = 0.01;
 /// A start or goal further than this from the taught one is worth a word.
 const FAR_DEG: f64 = 30.0;
 /// Smallest speed that can be asked for.
@@ -286,15 +284,12 @@ fn sampled(curve: &Spline, stretch: f64) -> Vec<JointAngles> {
 }
 
 /// The way from where the arm stands to the start, slow, with minimum jerk, and a
-/// rest at its end; empty when the arm is there.
+/// rest at its end. An arm that stands at the start waits there.
 fn approach(
     from: &JointAngles,
     to: &JointAngles,
     limits: &RobotLimits,
 ) -> Result<Vec<JointAngles>, PlanError> {
-    if from.max_abs_difference(to) < AT_START_DEG {
-        return Ok(vec![*from; samples_in(PAUSE_S)]);
-    }
     let mut gentle = limits.clone();
     for speed in &mut gentle.joint_speed_deg_s {
         *speed = speed.min(APPROACH_JOINT_SPEED_DEG_S);

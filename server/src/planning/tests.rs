@@ -84,6 +84,15 @@ fn the_approach_is_slow() {
 }
 
 #[test]
+fn an_arm_that_stands_beside_the_start_is_led_there_without_a_jump() {
+    for off_deg in [0.0, 1e-4, 0.005, 0.02, 0.5] {
+        let present = JointAngles(std::array::from_fn(|j| model().start_deg()[j] + off_deg));
+        let planned = plan(model(), &as_taught(), Some(present), &limits()).unwrap();
+        assert_eq!(planned.plan.first(), present);
+    }
+}
+
+#[test]
 fn a_new_start_and_goal_are_reached_exactly() {
     let shifted = |q: &[f64], by: f64| JointAngles(std::array::from_fn(|j| q[j] + by));
     let request = PlanRequest {
