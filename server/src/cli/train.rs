@@ -118,6 +118,7 @@ fn write_whole(path: &std::path::Path, text: &str) -> Result<(), CliError> {
 fn print_report(model: &Model, stages: &[(Stage, f64)], wall_s: f64, cpu_s: f64) {
     let report = &model.report;
     println!("{}", model.summary());
+    println!("{}", report.agreement.advice);
     for note in &report.notes {
         println!("Note: {note}");
     }
@@ -133,6 +134,19 @@ fn print_report(model: &Model, stages: &[(Stage, f64)], wall_s: f64, cpu_s: f64)
         report.demonstrations.len(),
         report.reference
     );
+    for take in &report.agreement.takes {
+        let tool = take
+            .off_mm
+            .map_or_else(String::new, |mm| format!("{mm:.1} mm, "));
+        println!(
+            "  {:<20} {tool}{:.1} deg from the others, most at joint {} at {:.0} %{}",
+            take.name,
+            take.off_deg,
+            take.worst.joint,
+            100.0 * take.worst.phase,
+            if take.differs { "  <- differs" } else { "" }
+        );
+    }
     for s in &report.js {
         let mark = if s.k == report.k { "  <- k*" } else { "" };
         println!(

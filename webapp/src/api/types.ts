@@ -77,9 +77,16 @@ export interface Fidelity {
   missed_over_mutual: number | null;
 }
 
+/** How well the takes agree, and whether to record another. */
+export interface Agreement {
+  enough: boolean;
+  advice: string;
+}
+
 /** The figures of a training that the app shows. Other versions of the method may lack some. */
 export interface Report {
   notes?: string[];
+  agreement?: Agreement;
   k?: number;
   alpha_z?: number;
   n_basis?: number;

@@ -32,6 +32,7 @@
 //! ```
 #![warn(missing_docs)]
 
+pub mod agreement;
 pub mod alignment;
 pub mod demonstration;
 pub mod dmp;

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Demonstration, Method,
+    agreement::Agreement,
     metrics::Fidelity,
     selection::{LeftOut, Stability},
 };
@@ -28,6 +29,8 @@ pub struct Report {
     pub reference: String,
     /// Remarks on the demonstrations, in words.
     pub notes: Vec<String>,
+    /// How well the demonstrations agree, and whether to record another.
+    pub agreement: Agreement,
     /// Number of components of the mixture.
     pub k: usize,
     /// Jensen-Shannon distance between mixtures for each number of components: of

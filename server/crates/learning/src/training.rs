@@ -57,6 +57,7 @@ pub fn train(
         demonstrations: demonstrations.iter().map(Lineage::of).collect(),
         reference: demonstrations[encoding.reference].name().to_string(),
         notes: report::notes(demonstrations),
+        agreement: encoding.agreement,
         k: encoding.k,
         left_out: encoding.left_out,
         js: encoding

@@ -28,6 +28,14 @@ export function ModelResult({ model }: { model: Model }) {
           <p>{model.summary}</p>
         </Notice>
       )}
+      {model.report?.agreement && (
+        <Notice
+          tone={model.report.agreement.enough ? "good" : "soft"}
+          icon={model.report.agreement.enough ? "check" : "info"}
+        >
+          <p>{model.report.agreement.advice}</p>
+        </Notice>
+      )}
       {model.report?.notes?.map((note) => (
         <Notice key={note} tone="plain" icon="info">
           <p>{note}</p>

@@ -2,6 +2,7 @@
 
 use crate::{
     Demonstration, Error, TrainingParams,
+    agreement::{Agreement, agreement},
     alignment::{self, Aligned, barycentre},
     mixture::{self, Mixture, Rows},
     progress::{Counter, Report, Stage},
@@ -26,6 +27,7 @@ pub struct Encoding {
     pub mixture: Mixture,
     pub course: Course,
     pub regression: Regression,
+    pub agreement: Agreement,
 }
 
 /// The paper: one reference, k by the stability of random halves, EM from k-means.
@@ -65,6 +67,7 @@ pub fn by_the_paper(
         js,
         left_out: Vec::new(),
         mixture,
+        agreement: agreement(demonstrations, &aligned),
         course,
         regression,
     })
@@ -109,6 +112,7 @@ pub fn faithfully(
         js: tried.iter().map(|t| t.stability.clone()).collect(),
         left_out: tried.into_iter().map(|t| t.left_out).collect(),
         mixture,
+        agreement: agreement(demonstrations, &aligned),
         course,
         regression,
     })
