@@ -16,7 +16,7 @@ const NAMES = {
   RobotView: "RobotAnswer",
 };
 /** Described by the server as free JSON only. */
-const FREE = new Set(["Report", "Fidelity"]);
+const FREE = new Set(["Report", "Fidelity", "Agreement"]);
 
 const description = async () => (await fetch(new URL("/api/v1/openapi.json", BASE_URL))).json();
 
