@@ -9,6 +9,7 @@ use motion::{
     JOINTS, JointAngles,
     gate::{self, Inspection, ProposedMotion},
     limits::RobotLimits,
+    minimum_jerk,
     plan::Plan,
     spline::Spline,
 };
@@ -299,7 +300,7 @@ fn approach(
     let points = (0..=steps)
         .map(|i| {
             let u = i as f64 / steps as f64;
-            let s = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+            let s = minimum_jerk::share(u);
             JointAngles(std::array::from_fn(|j| {
                 from.0[j] + s * (to.0[j] - from.0[j])
             }))

@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use learning::{
-    Demonstration, Method, TrainingParams,
-    evaluation::{self, median, population_std},
+    Demonstration, Method, TrainingParams, evaluation,
+    statistics::{mean, median, population_std},
 };
 use serde::Serialize;
 
@@ -156,7 +156,6 @@ impl Evaluated {
         let values: Vec<f64> = search.bayesian.iter().map(|run| run.value).collect();
         let calls: Vec<f64> = search.bayesian.iter().map(|run| run.calls as f64).collect();
         let table = "optimisation";
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         rows.extend([
             self.row(
                 table,
@@ -194,13 +193,7 @@ impl Evaluated {
                 Some(population_std(&calls)),
                 paper.map(|p| p.calls),
             ),
-            self.row(
-                table,
-                "Bayesian calls, median",
-                median(calls.clone()),
-                None,
-                None,
-            ),
+            self.row(table, "Bayesian calls, median", median(&calls), None, None),
             self.row(table, "all searches, seconds", wall_s, None, None),
         ]);
         Ok(())

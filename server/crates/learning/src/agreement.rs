@@ -7,6 +7,7 @@ use crate::{
     Demonstration, Path,
     alignment::{Aligned, barycentre::mean_of},
     demonstration::tool_path_mm,
+    statistics::median,
 };
 
 /// A take differs when it is this many times further from the others than they
@@ -79,7 +80,7 @@ pub fn agreement(demonstrations: &[Demonstration], aligned: &Aligned) -> Agreeme
     for (i, take) in takes.iter_mut().enumerate() {
         let mut others = sizes.clone();
         others.remove(i);
-        let typical = crate::evaluation::median(others);
+        let typical = median(&others);
         let least = if take.off_mm.is_some() {
             DIFFERS_MM
         } else {

@@ -10,7 +10,11 @@ pub mod barycentre;
 pub mod dtw;
 mod groups;
 
-use crate::{Demonstration, Error, path::Path};
+use crate::{
+    Demonstration, Error,
+    path::Path,
+    timeline::{even_times, interpolate},
+};
 
 /// Free samples at both ends of both series.
 const PSI: usize = 2;
@@ -87,11 +91,15 @@ pub fn align(
         };
         joints_deg.push(on_axis);
     }
-    let (t_s, joints_deg) = resample(times, &joints_deg, rate_hz);
+    let times: Vec<f64> = times.iter().map(|t| t - times[0]).collect();
+    let t_s = even_times(times[times.len() - 1], rate_hz);
     Ok(Aligned {
         reference,
+        joints_deg: joints_deg
+            .iter()
+            .map(|path| interpolate(&times, path, &t_s))
+            .collect(),
         t_s,
-        joints_deg,
     })
 }
 
@@ -125,37 +133,6 @@ fn carry_over(joints_deg: &Path, warping: &[(usize, usize)], n: usize) -> Path {
         path.push(&row);
     }
     path
-}
-
-/// Linear interpolation on equally spaced times from 0 to the last one.
-fn resample(times_s: &[f64], joints_deg: &[Path], rate_hz: f64) -> (Vec<f64>, Vec<Path>) {
-    let duration = times_s[times_s.len() - 1] - times_s[0];
-    let count = (duration * rate_hz).round() as usize + 1;
-    let t_s: Vec<f64> = (0..count)
-        .map(|i| duration * i as f64 / (count - 1) as f64)
-        .collect();
-    let mut paths: Vec<Path> = joints_deg
-        .iter()
-        .map(|path| Path::with_capacity(path.width(), count))
-        .collect();
-    let mut left = 0;
-    for &t in &t_s {
-        while left + 2 < times_s.len() && times_s[left + 1] - times_s[0] <= t {
-            left += 1;
-        }
-        let (a, b) = (times_s[left] - times_s[0], times_s[left + 1] - times_s[0]);
-        let u = ((t - a) / (b - a)).clamp(0.0, 1.0);
-        for (path, source) in paths.iter_mut().zip(joints_deg) {
-            let row: Vec<f64> = source
-                .row(left)
-                .iter()
-                .zip(source.row(left + 1))
-                .map(|(p, q)| p + u * (q - p))
-                .collect();
-            path.push(&row);
-        }
-    }
-    (t_s, paths)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! A demonstration: what was recorded while a person guided the arm, checked.
 
+use std::ops::RangeInclusive;
+
 use motion::{JOINTS, JointAngles, kinematics, limits::RobotLimits};
 use sha2::{Digest, Sha256};
 
@@ -11,6 +13,8 @@ pub const MAX_SAMPLES: usize = 360_000;
 pub const MIN_DURATION_S: f64 = 1.0;
 /// A joint that travels less than this in a demonstration is called still, degrees.
 pub const STILL_DEG: f64 = 0.05;
+/// The arm is idle at an end while no joint is further from it than this, degrees.
+const IDLE_DEG: f64 = 0.2;
 
 /// One recorded example of a motion: times, joint angles and, where known, the
 /// positions of the tool. Times are increasing and everything is finite.
@@ -134,6 +138,22 @@ impl Demonstration {
             Some(positions) => Path::from_rows(3, positions.iter().map(|p| p.to_vec())),
             None => self.joints_deg.clone(),
         }
+    }
+
+    /// From the first sample that has left the start to the last one that is not yet
+    /// at the end: what lies before and after is idle.
+    pub fn moving(&self) -> RangeInclusive<usize> {
+        let path = &self.joints_deg;
+        let away = |i: usize, from: usize| {
+            path.row(i)
+                .iter()
+                .zip(path.row(from))
+                .any(|(a, b)| (a - b).abs() > IDLE_DEG)
+        };
+        let last = path.len() - 1;
+        let begins = (0..=last).find(|&i| away(i, 0)).unwrap_or(0);
+        let ends = (0..=last).rev().find(|&i| away(i, last)).unwrap_or(last);
+        begins.min(ends)..=begins.max(ends)
     }
 
     /// Joints (from 0) that stand still in this demonstration.

@@ -11,6 +11,7 @@ use crate::{
     optimisation::{self, Evaluation},
     progress,
     report::NoiseFigures,
+    statistics::{median, population_std},
     training,
 };
 
@@ -61,7 +62,7 @@ pub fn repeatability(
     }
     let values: Vec<f64> = k_of_runs.iter().map(|&k| k as f64).collect();
     Ok(Repeatability {
-        median: median(values.clone()),
+        median: median(&values),
         std: population_std(&values),
         k_of_runs,
     })
@@ -135,39 +136,5 @@ fn with_seed(params: &TrainingParams, run: usize) -> TrainingParams {
     TrainingParams {
         seed: params.seed.wrapping_add(run as u64),
         ..params.clone()
-    }
-}
-
-/// Middle value, or the mean of the two middle ones; NaN without values.
-pub fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    match n {
-        0 => f64::NAN,
-        _ if n.is_multiple_of(2) => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-        _ => values[n / 2],
-    }
-}
-
-/// Population standard deviation; NaN without values.
-pub fn population_std(values: &[f64]) -> f64 {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    (values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n).sqrt()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn median_and_deviation_of_known_values() {
-        assert_eq!(median(vec![5.0, 1.0, 3.0]), 3.0);
-        assert_eq!(median(vec![4.0, 1.0, 3.0, 2.0]), 2.5);
-        // The textbook example with mean 5 and deviation 2.
-        assert_eq!(
-            population_std(&[2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0]),
-            2.0
-        );
     }
 }

@@ -51,6 +51,8 @@ pub mod regression;
 pub mod report;
 pub mod rng;
 pub mod selection;
+pub mod statistics;
+mod timeline;
 mod training;
 pub mod write;
 

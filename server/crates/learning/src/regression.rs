@@ -1,8 +1,9 @@
 //! Gaussian mixture regression (GMR): the joints given the time.
 
+use motion::minimum_jerk;
 use serde::{Deserialize, Serialize};
 
-use crate::{mixture::Mixture, path::Path};
+use crate::{mixture::Mixture, path::Path, timeline::even_times};
 
 /// Conditional mean and covariance of the joints over time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -54,14 +55,6 @@ impl Course {
         }
         Ok(())
     }
-}
-
-/// Equally spaced times from 0 to `duration_s`, about `rate_hz` apart.
-fn even_times(duration_s: f64, rate_hz: f64) -> Vec<f64> {
-    let count = (duration_s * rate_hz).round() as usize + 1;
-    (0..count)
-        .map(|i| duration_s * i as f64 / (count - 1) as f64)
-        .collect()
 }
 
 /// How the ends of a motion are treated: it begins and ends at rest, in the poses
@@ -148,10 +141,7 @@ fn regress_to_ends(mixture: &Mixture, ends: &Ends, motion_s: f64, rate_hz: f64) 
     };
     let at_start = lack(&ends.start_deg, curve.mean_deg.row(0));
     let at_end = lack(&ends.end_deg, curve.mean_deg.last());
-    let share = |distance_s: f64| {
-        let u = (1.0 - distance_s / ends.fade_s).clamp(0.0, 1.0);
-        u * u * u * (10.0 - 15.0 * u + 6.0 * u * u)
-    };
+    let share = |distance_s: f64| minimum_jerk::share(1.0 - distance_s / ends.fade_s);
     let mut mean_deg = Path::with_capacity(curve.mean_deg.width(), t_s.len());
     for (&s, row) in demonstrated.iter().zip(curve.mean_deg.rows()) {
         let (start, end) = (share(s), share(motion_s - s));

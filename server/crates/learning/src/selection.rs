@@ -18,6 +18,7 @@ use crate::{
     Error,
     mixture::{self, Rows},
     rng::Stream,
+    statistics::{mean, population_std},
 };
 
 /// Level of the tests.
@@ -53,13 +54,10 @@ pub struct Stability {
 impl Stability {
     /// Mean and deviation of `values`, which must not be empty.
     pub fn of(k: usize, values: Vec<f64>) -> Stability {
-        let n = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / n;
-        let variance = values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n;
         Stability {
             k,
-            mean,
-            std: variance.sqrt(),
+            mean: mean(&values),
+            std: population_std(&values),
             values,
         }
     }

@@ -14,6 +14,7 @@ use crate::{
     report::{self, Lineage, NoiseFigures},
     rng::Stream,
     selection::Stability,
+    statistics::mean,
 };
 use encoding::Encoding;
 
@@ -199,7 +200,6 @@ fn noise_figures(
         gmccs.push(metrics::gmcc(&path, &regression.mean_deg));
         errors.push(metrics::e_j_deg(path.last(), &primitive.goal_deg));
     }
-    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     Ok(NoiseFigures {
         noise_deg,
         runs: NOISE_RUNS,

@@ -10,6 +10,7 @@ pub mod filter;
 pub mod gate;
 pub mod kinematics;
 pub mod limits;
+pub mod minimum_jerk;
 pub mod plan;
 pub mod spline;
 mod units;

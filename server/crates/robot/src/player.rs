@@ -6,7 +6,7 @@
 //! jumps.
 
 use motion::plan::{Plan, Setpoint};
-use motion::{JOINTS, JointAngles, JointVelocities};
+use motion::{JOINTS, JointAngles, JointVelocities, minimum_jerk};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -114,9 +114,8 @@ impl Player {
         if !reference.is_finite() || distance_deg > ALIGN_LIMIT_DEG {
             return Err(distance_deg);
         }
-        // Minimum jerk peaks at 15/8 of the mean speed.
         let align_s = if distance_deg > ALIGNED_DEG {
-            (15.0 / 8.0 * distance_deg / ALIGN_SPEED_DEG_S).max(STOP_S)
+            (minimum_jerk::PEAK * distance_deg / ALIGN_SPEED_DEG_S).max(STOP_S)
         } else {
             0.0
         };
@@ -231,8 +230,8 @@ impl Player {
     /// Minimum jerk from where the reference stood to the plan's first sample.
     fn align(&self, factor: f64) -> Setpoint {
         let u = self.aligned_for_s / self.align_s;
-        let share = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
-        let slope = 30.0 * u * u * (1.0 - u) * (1.0 - u) / self.align_s;
+        let share = minimum_jerk::share(u);
+        let slope = minimum_jerk::slope(u) / self.align_s;
         let first = self.plan.first();
         let mut setpoint = at_rest(self.align_from);
         for joint in 0..JOINTS {

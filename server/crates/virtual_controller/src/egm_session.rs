@@ -7,7 +7,7 @@ use motion::{JOINTS, JointAngles, JointVelocities};
 
 use crate::arm::{Arm, OutOfRange, Reference};
 use crate::config::{EgmSettings, StopMode};
-use crate::hand::minimum_jerk;
+use motion::minimum_jerk;
 
 /// How long the last messages of a session go on after the arm stands, s.
 const FAREWELL_S: f64 = 0.1;
@@ -231,7 +231,7 @@ impl Session {
     ) -> Result<(), Failure> {
         let t_s = t_s + settings.cycle_s;
         let s = t_s / settings.ramp_out_s;
-        let (part, rate) = (minimum_jerk::position(s), minimum_jerk::speed(s));
+        let (part, rate) = (minimum_jerk::share(s), minimum_jerk::slope(s));
         let way: [f64; JOINTS] = std::array::from_fn(|joint| self.start.0[joint] - from.0[joint]);
         let reference = Reference {
             joints: Some(JointAngles(std::array::from_fn(|joint| {

@@ -4,11 +4,12 @@
 //! ([`Action::Show`]), differently from seed to seed. The scripts are in [`script`], the variation
 //! of one showing in [`take`].
 
-pub(crate) mod minimum_jerk;
+mod bow;
 mod reach;
 pub mod script;
 pub mod take;
 
+use motion::minimum_jerk;
 use motion::{JOINTS, JointAngles};
 use reach::Reach;
 use script::Script;
@@ -120,7 +121,7 @@ impl Motion {
         match (&self.reach, &self.take) {
             (Some(reach), _) if t_s < reach_s => reach.at(t_s),
             (_, Some(take)) => {
-                let left = 1.0 - minimum_jerk::position(t_s / ENTER_S);
+                let left = 1.0 - minimum_jerk::share(t_s / ENTER_S);
                 let at = take.at(t_s - reach_s);
                 JointAngles(std::array::from_fn(|joint| {
                     at.0[joint] + self.offset[joint] * left

@@ -6,14 +6,15 @@
 //! the demonstrations' clocks, so that its pace is theirs.
 
 use super::{Aligned, dtw, groups, medoid};
-use crate::{Demonstration, Error, Path};
+use crate::{
+    Demonstration, Error, Path,
+    timeline::{even_times, interpolate},
+};
 
 /// Warping and averaging in turns; the mean changes little after the third.
 const PASSES: usize = 5;
 /// Rate of the passes, Hz.
 const PASS_RATE_HZ: f64 = 50.0;
-/// A demonstration is idle at an end while no joint is further from it than this, degrees.
-const IDLE_DEG: f64 = 0.2;
 /// Left standing before and after the motion, seconds.
 const MARGIN_S: f64 = 0.3;
 
@@ -37,7 +38,7 @@ pub fn align_to_mean(
     };
     let signals: Vec<Path> = active
         .iter()
-        .map(|recorded| recorded.signal(&uniform(recorded.duration_s, PASS_RATE_HZ), &scales))
+        .map(|recorded| recorded.signal(&even_times(recorded.duration_s, PASS_RATE_HZ), &scales))
         .collect();
     let mut distances = vec![0.0; m * m];
     for i in 0..m {
@@ -52,7 +53,7 @@ pub fn align_to_mean(
     let reference = medoid(&distances, m);
 
     // For each demonstration, its own time at each sample of the mean.
-    let own = uniform(active[reference].duration_s, PASS_RATE_HZ);
+    let own = even_times(active[reference].duration_s, PASS_RATE_HZ);
     let mut mean = signals[reference].clone();
     let mut clocks = vec![own; m];
     for _ in 0..PASSES {
@@ -98,17 +99,8 @@ impl Recorded {
     fn active(demonstration: &Demonstration) -> Recorded {
         let (path, times) = (demonstration.joints_deg(), demonstration.times_s());
         let n = path.len();
-        let away = |i: usize, from: usize| {
-            path.row(i)
-                .iter()
-                .zip(path.row(from))
-                .any(|(a, b)| (a - b).abs() > IDLE_DEG)
-        };
-        let begins = (0..n).find(|&i| away(i, 0)).map_or(times[0], |i| times[i]);
-        let ends = (0..n)
-            .rev()
-            .find(|&i| away(i, n - 1))
-            .map_or(times[n - 1], |i| times[i]);
+        let moving = demonstration.moving();
+        let (begins, ends) = (times[*moving.start()], times[*moving.end()]);
         let first = times.partition_point(|&t| t < begins - MARGIN_S).min(n - 2);
         let last = times
             .partition_point(|&t| t <= ends + MARGIN_S)
@@ -179,14 +171,6 @@ impl Scales {
     }
 }
 
-/// Equally spaced times from 0 to the end at about the rate.
-fn uniform(duration_s: f64, rate_hz: f64) -> Vec<f64> {
-    let count = ((duration_s * rate_hz).round() as usize).max(2) + 1;
-    (0..count)
-        .map(|i| duration_s * i as f64 / (count - 1) as f64)
-        .collect()
-}
-
 /// Mean time of the samples of `signal` that match each sample of `mean`; the
 /// ends belong to each other.
 fn matched_times(mean: &Path, signal: &Path, duration_s: f64) -> Vec<f64> {
@@ -214,7 +198,7 @@ fn on_mean_clock(clocks: &[Vec<f64>], rate_hz: f64) -> Vec<Vec<f64>> {
     let mean: Vec<f64> = (0..clocks[0].len())
         .map(|i| clocks.iter().map(|clock| clock[i]).sum::<f64>() / m)
         .collect();
-    let even = uniform(mean[mean.len() - 1], rate_hz);
+    let even = even_times(mean[mean.len() - 1], rate_hz);
     clocks
         .iter()
         .map(|clock| {
@@ -248,29 +232,4 @@ pub fn mean_of(paths: &[Path]) -> Path {
         mean.push(&row);
     }
     mean
-}
-
-/// Linear interpolation at times that do not decrease; held at both ends.
-fn interpolate(times_s: &[f64], path: &Path, at_s: &[f64]) -> Path {
-    let mut result = Path::with_capacity(path.width(), at_s.len());
-    let mut left = 0;
-    for &t in at_s {
-        while left + 2 < times_s.len() && times_s[left + 1] <= t {
-            left += 1;
-        }
-        let (a, b) = (times_s[left], times_s[left + 1]);
-        let u = if b > a {
-            ((t - a) / (b - a)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        let row: Vec<f64> = path
-            .row(left)
-            .iter()
-            .zip(path.row(left + 1))
-            .map(|(p, q)| p + u * (q - p))
-            .collect();
-        result.push(&row);
-    }
-    result
 }

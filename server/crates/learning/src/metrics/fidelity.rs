@@ -4,13 +4,11 @@
 use motion::filter::savitzky_golay;
 use serde::{Deserialize, Serialize};
 
-use crate::{Demonstration, demonstration::tool_path_mm, path::Path};
+use crate::{Demonstration, demonstration::tool_path_mm, path::Path, timeline::interpolate};
 
 /// Half window of the smoothing before derivatives are taken, at 10 ms.
 const SMOOTHING_HALF: usize = 10;
 const GRID_S: f64 = 0.01;
-/// A demonstration is idle at an end while no joint has left it by more than this, degrees.
-const IDLE_DEG: f64 = 0.2;
 
 /// Distances between tool paths, mm. d(p, C) is the distance of a point to the
 /// nearest sample of a curve.
@@ -179,23 +177,8 @@ fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 fn on_grid(times_s: &[f64], joints_deg: &Path) -> Path {
     let (first, last) = (times_s[0], times_s[times_s.len() - 1]);
     let count = ((last - first) / GRID_S) as usize + 1;
-    let mut grid = Path::with_capacity(joints_deg.width(), count);
-    let mut left = 0;
-    for i in 0..count {
-        let t = first + i as f64 * GRID_S;
-        while left + 2 < times_s.len() && times_s[left + 1] <= t {
-            left += 1;
-        }
-        let u = ((t - times_s[left]) / (times_s[left + 1] - times_s[left])).clamp(0.0, 1.0);
-        let row: Vec<f64> = joints_deg
-            .row(left)
-            .iter()
-            .zip(joints_deg.row(left + 1))
-            .map(|(a, b)| a + u * (b - a))
-            .collect();
-        grid.push(&row);
-    }
-    grid
+    let grid: Vec<f64> = (0..count).map(|i| first + i as f64 * GRID_S).collect();
+    interpolate(times_s, joints_deg, &grid)
 }
 
 impl Kinetics {
@@ -233,17 +216,6 @@ fn kinetics(grid: &Path) -> Kinetics {
 /// Duration without the time in which the arm still stands at the start or
 /// already at the end, seconds.
 fn active_duration_s(demonstration: &Demonstration) -> f64 {
-    let path = demonstration.joints_deg();
-    let away =
-        |row: &[f64], from: &[f64]| row.iter().zip(from).any(|(a, b)| (a - b).abs() > IDLE_DEG);
-    let first = path
-        .rows()
-        .position(|row| away(row, path.row(0)))
-        .unwrap_or(0);
-    let last = (0..path.len())
-        .rev()
-        .find(|&i| away(path.row(i), path.last()))
-        .unwrap_or(path.len() - 1);
-    let times = demonstration.times_s();
-    (times[last] - times[first.min(last)]).max(0.0)
+    let (moving, times) = (demonstration.moving(), demonstration.times_s());
+    times[*moving.end()] - times[*moving.start()]
 }

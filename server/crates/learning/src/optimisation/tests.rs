@@ -82,18 +82,27 @@ fn expected_improvement_is_its_integral() {
     assert_eq!(acquisition::expected_improvement(3.0, 1.0, 0.0), 2.0);
 }
 
+/// 25 values of a smooth function on a grid: between them the process must know it
+/// far better than its spread (2.6), and doubt what lies outside.
 #[test]
-fn the_process_passes_through_what_it_saw_and_doubts_what_it_did_not() {
-    let inputs = [[0.0, 0.0], [0.5, 0.2], [1.0, 0.9], [0.2, 0.8], [0.7, 0.4]];
-    let values = [1.0, 2.5, 0.5, 3.0, 2.0];
+fn the_process_knows_a_smooth_function_between_its_points_and_doubts_what_is_outside() {
+    let f = |[x, y]: [f64; 2]| (3.0 * x).sin() + 2.0 * (y - 0.4) * (y - 0.4) + x * y;
+    let inputs: Vec<[f64; 2]> = (0..25)
+        .map(|i| [f64::from(i % 5) / 4.0, f64::from(i / 5) / 4.0])
+        .collect();
+    let values: Vec<f64> = inputs.iter().map(|x| f(*x)).collect();
     let mut rng = Stream::derive(1, &[]);
     let process = GaussianProcess::fit(&inputs, &values, None, &mut rng).unwrap();
-    let spread = values.iter().copied().fold(0.0, f64::max);
-    for (input, value) in inputs.iter().zip(values) {
-        let (mean, deviation) = process.predict(*input);
-        assert!((mean - value).abs() < spread && deviation >= 0.0);
+    for input in [[0.1, 0.1], [0.4, 0.6], [0.85, 0.3], [0.6, 0.9]] {
+        let (mean, deviation) = process.predict(input);
+        assert!(
+            (mean - f(input)).abs() < 0.03,
+            "{input:?}: {mean} {}",
+            f(input)
+        );
+        assert!(deviation < 0.1, "{input:?}: {deviation}");
     }
-    let (_, near) = process.predict([0.5, 0.2]);
-    let (_, far) = process.predict([0.0, 0.5]);
-    assert!(far >= near);
+    let (_, inside) = process.predict([0.4, 0.6]);
+    let (_, outside) = process.predict([2.5, 2.5]);
+    assert!(outside > 10.0 * inside, "{inside} {outside}");
 }

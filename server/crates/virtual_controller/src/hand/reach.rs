@@ -3,7 +3,7 @@
 use motion::kinematics::tool0;
 use motion::{JOINTS, JointAngles};
 
-use super::minimum_jerk;
+use motion::minimum_jerk;
 
 /// Speed of the tool that the hand likes, and the one it never exceeds, mm/s.
 const GENTLE_MM_S: f64 = 180.0;
@@ -33,7 +33,7 @@ impl Reach {
             duration_s: 1.0,
         };
         let tool_mm_s = reach.peak_tool_speed();
-        let joint_deg_s = minimum_jerk::PEAK_SPEED * from.max_abs_difference(&to);
+        let joint_deg_s = minimum_jerk::PEAK * from.max_abs_difference(&to);
         reach.duration_s = (tool_mm_s / GENTLE_MM_S)
             .clamp(SHORTEST_S, LONGEST_S)
             .max(tool_mm_s / FASTEST_MM_S)
@@ -48,7 +48,7 @@ impl Reach {
 
     /// Where the arm is after `t_s`; held at both ends.
     pub fn at(&self, t_s: f64) -> JointAngles {
-        let part = minimum_jerk::position(t_s / self.duration_s);
+        let part = minimum_jerk::share(t_s / self.duration_s);
         JointAngles(std::array::from_fn::<_, JOINTS, _>(|joint| {
             self.from.0[joint] + part * (self.to.0[joint] - self.from.0[joint])
         }))

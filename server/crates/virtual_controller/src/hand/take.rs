@@ -12,8 +12,9 @@ use motion::{JOINTS, JointAngles};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
-use super::minimum_jerk;
+use super::bow::bow;
 use super::script::{Script, WayPoint};
+use motion::minimum_jerk;
 
 /// Speed of the tool from way-point to way-point in an average showing, mm/s, before the time that
 /// starting and stopping take; a showing's pace varies by the part given.
@@ -139,8 +140,8 @@ impl Take {
         let mut speeds = [0.0; JOINTS];
         for movement in &self.movements {
             let s = (t_s - movement.from_s) / movement.duration_s;
-            let (part, rate) = (minimum_jerk::position(s), minimum_jerk::speed(s));
-            let bow = minimum_jerk::bow(s);
+            let (part, rate) = (minimum_jerk::share(s), minimum_jerk::slope(s));
+            let bow = bow(s);
             for joint in 0..JOINTS {
                 at[joint] += part * movement.way_deg[joint] + bow * movement.bow_deg[joint];
                 speeds[joint] += rate * movement.way_deg[joint] / movement.duration_s;
