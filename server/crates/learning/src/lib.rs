@@ -54,6 +54,7 @@ pub mod selection;
 pub mod statistics;
 mod timeline;
 mod training;
+mod vector;
 pub mod write;
 
 pub use demonstration::Demonstration;

@@ -1,178 +1,209 @@
-//! Log densities of mixtures, many samples at a time, and sampling from them.
+//! Gaussians prepared for evaluation, many samples at a time, and for sampling.
 
-use nalgebra::DMatrix;
+use super::{Mixture, blocks::Moments};
+use crate::{
+    Error,
+    rng::Stream,
+    vector::{LANES, lanes, multiply_add},
+};
 
-use super::{LANES, Mixture};
-use crate::{Error, exp::exp_lanes, rng::Stream};
+/// One component of a mixture.
+#[derive(Clone, Copy, Debug)]
+pub struct Component<const D: usize> {
+    pub weight: f64,
+    pub mean: [f64; D],
+    pub covariance: [[f64; D]; D],
+}
 
-/// One Gaussian, prepared for evaluation and sampling.
-#[derive(Clone, Debug)]
+/// One Gaussian, prepared.
+#[derive(Clone, Copy, Debug)]
 pub struct Gaussian<const D: usize> {
     mean: [f64; D],
     /// Lower triangular L with covariance = L Lᵀ.
     factor: [[f64; D]; D],
     /// L⁻¹, lower triangular.
     whitening: [[f64; D]; D],
+    /// L⁻¹ mean.
+    whitened_mean: [f64; D],
     /// ln of (weight / sqrt((2 pi)^D det covariance)).
     log_scale: f64,
 }
 
 impl<const D: usize> Gaussian<D> {
-    /// Prepares a component of `weight`; fails when the covariance is not positive definite.
-    pub fn new(weight: f64, mean: &[f64], covariance: &[Vec<f64>]) -> Result<Self, Error> {
+    /// Prepares a component; fails when its covariance is not positive definite.
+    pub fn new(component: &Component<D>) -> Result<Self, Error> {
         let failed = |reason: &str| Error::MixtureFailed {
             reason: reason.into(),
         };
-        let matrix = DMatrix::from_fn(D, D, |i, j| covariance[i][j]);
-        let cholesky = matrix
-            .cholesky()
+        let factor = cholesky(&component.covariance)
             .ok_or_else(|| failed("a covariance is not positive definite"))?;
-        let lower = cholesky.l();
-        let inverse = lower
-            .solve_lower_triangular(&DMatrix::identity(D, D))
-            .ok_or_else(|| failed("a covariance is singular"))?;
-        let square = |m: &DMatrix<f64>| {
-            std::array::from_fn(|i| std::array::from_fn(|j| if j <= i { m[(i, j)] } else { 0.0 }))
-        };
-        let log_determinant: f64 = (0..D).map(|i| lower[(i, i)].ln()).sum();
-        let log_scale =
-            weight.ln() - 0.5 * D as f64 * (2.0 * std::f64::consts::PI).ln() - log_determinant;
+        let whitening = inverse_of_lower(&factor);
+        let log_determinant: f64 = (0..D).map(|i| factor[i][i].ln()).sum();
+        let log_scale = component.weight.ln()
+            - 0.5 * D as f64 * (2.0 * std::f64::consts::PI).ln()
+            - log_determinant;
         if log_scale.is_nan() {
             return Err(failed("a component has no weight"));
         }
         Ok(Gaussian {
-            mean: std::array::from_fn(|i| mean[i]),
-            factor: square(&lower),
-            whitening: square(&inverse),
+            mean: component.mean,
+            factor,
+            whitening,
+            whitened_mean: times(&whitening, &component.mean),
             log_scale,
         })
     }
 
-    /// Differences of the samples from the mean.
+    /// ln of the weighted density at the mean; the log density of a sample is this
+    /// less half its squared whitened distance.
     #[inline(always)]
-    pub fn centre(&self, samples: &[[f64; LANES]; D]) -> [[f64; LANES]; D] {
-        std::array::from_fn(|i| std::array::from_fn(|lane| samples[i][lane] - self.mean[i]))
+    pub fn log_scale(&self) -> f64 {
+        self.log_scale
     }
 
-    /// ln(weight * density) of each centred sample.
+    /// Squared distance |L⁻¹ (x - mean)|² of each sample.
     #[inline(always)]
-    pub fn log_weighted(&self, centred: &[[f64; LANES]; D]) -> [f64; LANES] {
+    pub fn squared_distances<const FUSED: bool>(
+        &self,
+        samples: &[[f64; LANES]; D],
+    ) -> [f64; LANES] {
         let mut square = [0.0; LANES];
-        for (i, row) in self.whitening.iter().enumerate() {
-            let mut y = [0.0; LANES];
-            for (w, c) in row[..=i].iter().zip(centred) {
+        for i in 0..D {
+            let mut y = [-self.whitened_mean[i]; LANES];
+            for j in 0..=i {
+                let w = self.whitening[i][j];
                 for lane in 0..LANES {
-                    y[lane] += w * c[lane];
+                    y[lane] = multiply_add::<FUSED>(w, samples[j][lane], y[lane]);
                 }
             }
             for lane in 0..LANES {
-                square[lane] += y[lane] * y[lane];
+                square[lane] = multiply_add::<FUSED>(y[lane], y[lane], square[lane]);
             }
         }
-        square.map(|s| self.log_scale - 0.5 * s)
+        square
+    }
+
+    /// ln(weight * density) of each sample.
+    #[inline(always)]
+    pub fn log_weighted<const FUSED: bool>(&self, samples: &[[f64; LANES]; D]) -> [f64; LANES] {
+        let squares = self.squared_distances::<FUSED>(samples);
+        lanes(|lane| self.log_scale - 0.5 * squares[lane])
+    }
+
+    /// Sum of ln(weight * density) over samples of which only the moments are known.
+    pub fn total_log_weighted(&self, moments: &Moments<D>) -> f64 {
+        if moments.zeroth == 0.0 {
+            return 0.0;
+        }
+        // Sum of |W (x - m)|² = n |W (mean - m)|² + trace of W S Wᵀ, S the scatter.
+        let n = moments.zeroth;
+        let mean: [f64; D] = std::array::from_fn(|i| moments.first[i] / n);
+        let offset: [f64; D] = std::array::from_fn(|i| mean[i] - self.mean[i]);
+        let scatter =
+            |i: usize, j: usize| moments.second[i.max(j)][i.min(j)] - n * mean[i] * mean[j];
+        let mut squares = n * norm(&times(&self.whitening, &offset)).powi(2);
+        for row in &self.whitening {
+            for i in 0..D {
+                for j in 0..D {
+                    squares += row[i] * scatter(i, j) * row[j];
+                }
+            }
+        }
+        n * self.log_scale - 0.5 * squares
+    }
+
+    /// By how much whitened distances can differ from those of `earlier`: a distance
+    /// d there is at least (d - shift) (1 - change) and at most (d + shift)
+    /// (1 + change) here. Gives (shift, change).
+    ///
+    /// With A = W W'⁻¹ and s = W' (mean - mean'), primes for the earlier one,
+    /// W (x - mean) = A (W' (x - mean') - s), and every singular value of A is
+    /// within |A - I| (Frobenius) of 1.
+    pub fn drift_from(&self, earlier: &Gaussian<D>) -> (f64, f64) {
+        let moved: [f64; D] = std::array::from_fn(|i| self.mean[i] - earlier.mean[i]);
+        let shift = norm(&times(&earlier.whitening, &moved));
+        let mut square = 0.0;
+        for i in 0..D {
+            for j in 0..=i {
+                let entry: f64 = (j..=i)
+                    .map(|l| self.whitening[i][l] * earlier.factor[l][j])
+                    .sum();
+                square += (entry - f64::from(u8::from(i == j))).powi(2);
+            }
+        }
+        (shift, square.sqrt())
     }
 
     /// One sample in each lane.
     #[inline(always)]
-    fn draw(&self, rng: &mut Stream) -> [[f64; LANES]; D] {
-        let normal: [[f64; LANES]; D] =
-            std::array::from_fn(|_| std::array::from_fn(|_| rng.normal()));
-        std::array::from_fn(|i| {
-            let mut x = [self.mean[i]; LANES];
+    pub fn draw<const FUSED: bool>(&self, rng: &mut Stream) -> [[f64; LANES]; D] {
+        let mut normal = [[0.0; LANES]; D];
+        for z in normal.as_flattened_mut() {
+            *z = rng.normal();
+        }
+        let mut samples = [[0.0; LANES]; D];
+        for (i, x) in samples.iter_mut().enumerate() {
+            *x = [self.mean[i]; LANES];
             for (l, z) in self.factor[i][..=i].iter().zip(&normal) {
                 for lane in 0..LANES {
-                    x[lane] += l * z[lane];
+                    x[lane] = multiply_add::<FUSED>(*l, z[lane], x[lane]);
                 }
             }
-            x
+        }
+        samples
+    }
+}
+
+/// All components of a mixture, prepared; D must be its dimension.
+pub fn prepare<const D: usize>(mixture: &Mixture) -> Result<Vec<Gaussian<D>>, Error> {
+    (0..mixture.weights.len())
+        .map(|c| {
+            Gaussian::new(&Component {
+                weight: mixture.weights[c],
+                mean: std::array::from_fn(|i| mixture.means[c][i]),
+                covariance: std::array::from_fn(|i| {
+                    std::array::from_fn(|j| mixture.covariances[c][i][j])
+                }),
+            })
         })
-    }
+        .collect()
 }
 
-/// A mixture prepared for evaluation.
-#[derive(Clone, Debug)]
-pub struct LogDensity<const D: usize> {
-    components: Vec<Gaussian<D>>,
-    weights: Vec<f64>,
-}
-
-impl<const D: usize> LogDensity<D> {
-    /// Prepares all components; D must be the mixture's dimension.
-    pub fn new(mixture: &Mixture) -> Result<Self, Error> {
-        let components = mixture
-            .weights
-            .iter()
-            .zip(&mixture.means)
-            .zip(&mixture.covariances)
-            .map(|((&weight, mean), covariance)| Gaussian::new(weight, mean, covariance))
-            .collect::<Result<_, _>>()?;
-        Ok(LogDensity {
-            components,
-            weights: mixture.weights.clone(),
-        })
-    }
-
-    /// ln of the mixture's density at each sample.
-    #[inline(always)]
-    pub fn at(&self, samples: &[[f64; LANES]; D]) -> [f64; LANES] {
-        let mut logs = [[0.0; LANES]; 16];
-        let mut chunks = [f64::NEG_INFINITY; LANES];
-        for part in self.components.chunks(logs.len()) {
-            for (log, gaussian) in logs.iter_mut().zip(part) {
-                *log = gaussian.log_weighted(&gaussian.centre(samples));
-            }
-            let sums = log_sum_exp(&logs[..part.len()]);
-            chunks = if chunks[0] == f64::NEG_INFINITY {
-                sums
+/// Lower triangular L with L Lᵀ = `matrix`, of which the lower triangle is read.
+fn cholesky<const D: usize>(matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
+    let mut lower = [[0.0; D]; D];
+    for i in 0..D {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|l| lower[i][l] * lower[j][l]).sum();
+            let rest = matrix[i][j] - known;
+            if i > j {
+                lower[i][j] = rest / lower[j][j];
+            } else if rest > 0.0 {
+                lower[i][i] = rest.sqrt();
             } else {
-                log_sum_exp(&[chunks, sums])
-            };
-        }
-        chunks
-    }
-
-    /// How many of `count` samples fall to each component.
-    pub fn shares_of(&self, count: usize, rng: &mut Stream) -> Vec<usize> {
-        let mut shares = vec![0usize; self.components.len()];
-        for _ in 0..count {
-            let mut u = rng.uniform();
-            let mut chosen = 0;
-            while chosen + 1 < self.weights.len() && u >= self.weights[chosen] {
-                u -= self.weights[chosen];
-                chosen += 1;
+                return None;
             }
-            shares[chosen] += 1;
         }
-        shares
     }
-
-    /// A block of samples of one component.
-    #[inline(always)]
-    pub fn draw(&self, component: usize, rng: &mut Stream) -> [[f64; LANES]; D] {
-        self.components[component].draw(rng)
-    }
+    Some(lower)
 }
 
-/// ln of the sum of exponentials over the components, for each lane.
-#[inline(always)]
-pub fn log_sum_exp(logs: &[[f64; LANES]]) -> [f64; LANES] {
-    let mut max = [f64::NEG_INFINITY; LANES];
-    for log in logs {
-        for lane in 0..LANES {
-            max[lane] = if log[lane] > max[lane] {
-                log[lane]
-            } else {
-                max[lane]
-            };
+fn inverse_of_lower<const D: usize>(lower: &[[f64; D]; D]) -> [[f64; D]; D] {
+    let mut inverse = [[0.0; D]; D];
+    for i in 0..D {
+        inverse[i][i] = 1.0 / lower[i][i];
+        for j in 0..i {
+            let known: f64 = (j..i).map(|l| lower[i][l] * inverse[l][j]).sum();
+            inverse[i][j] = -known / lower[i][i];
         }
     }
-    let mut sum = [0.0; LANES];
-    for log in logs {
-        let shifted: [f64; LANES] = std::array::from_fn(|lane| log[lane] - max[lane]);
-        let powers = exp_lanes(shifted);
-        for lane in 0..LANES {
-            sum[lane] += powers[lane];
-        }
-    }
-    std::array::from_fn(|lane| max[lane] + sum[lane].ln())
+    inverse
+}
+
+fn times<const D: usize>(lower: &[[f64; D]; D], x: &[f64; D]) -> [f64; D] {
+    std::array::from_fn(|i| (0..=i).map(|j| lower[i][j] * x[j]).sum())
+}
+
+fn norm<const D: usize>(x: &[f64; D]) -> f64 {
+    x.iter().map(|v| v * v).sum::<f64>().sqrt()
 }

@@ -2,23 +2,37 @@
 //! candidates for each new centre, the one that leaves the lowest potential is
 //! kept), then Lloyd's iterations until the centres' total squared shift is at
 //! most 1e-4 of the mean variance of the columns, or 300 iterations.
+//!
+//! A block whose ball is nearer to one centre than to any other belongs to it as a
+//! whole, and its samples are not looked at; the labels are the same.
 
-use super::{Blocks, LANES};
-use crate::rng::Stream;
+use super::{
+    Blocks,
+    blocks::{Group, Moments},
+};
+use crate::{
+    rng::Stream,
+    vector::{self, Kernel, LANES, multiply_add},
+};
 
 const MAX_ITERATIONS: usize = 300;
 const RELATIVE_TOLERANCE: f64 = 1e-4;
+/// What rounding may do to a distance, relative.
+const ROUNDING: f64 = 1e-9;
 
 /// Cluster (0..k) of each sample.
-pub fn cluster<const D: usize>(data: &Blocks<D>, k: usize, rng: &mut Stream) -> Vec<usize> {
+pub fn cluster<const D: usize>(data: &Blocks<D>, k: usize, rng: &mut Stream) -> Vec<u16> {
     let tolerance = RELATIVE_TOLERANCE * mean_variance(data);
     let mut centres = seed(data, k, rng);
-    let mut labels = vec![usize::MAX; data.len()];
+    let mut labels = vec![u16::MAX; data.len()];
     for _ in 0..MAX_ITERATIONS {
-        let (new_labels, distances) = assign(data, &centres);
-        let unchanged = new_labels == labels;
-        labels = new_labels;
-        let new_centres = means(data, &mut labels, &distances, k);
+        let mut clusters = assign(data, &centres);
+        let unchanged = clusters.labels == labels;
+        if clusters.counts.contains(&0.0) {
+            clusters.fill_empty(data, &centres);
+        }
+        let new_centres = clusters.means();
+        labels = clusters.labels;
         let shift: f64 = centres
             .iter()
             .zip(&new_centres)
@@ -32,109 +46,192 @@ pub fn cluster<const D: usize>(data: &Blocks<D>, k: usize, rng: &mut Stream) -> 
             break;
         }
     }
-    assign(data, &centres).0
+    assign(data, &centres).labels
 }
 
-/// Nearest centre of each sample and the squared distance to it.
-fn assign<const D: usize>(data: &Blocks<D>, centres: &[[f64; D]]) -> (Vec<usize>, Vec<f64>) {
-    let mut labels = Vec::with_capacity(data.len());
-    let mut distances = Vec::with_capacity(data.len());
-    for (index, block) in data.iter().enumerate() {
-        let mut nearest = [f64::INFINITY; LANES];
-        let mut label = [0.0; LANES];
-        for (c, centre) in centres.iter().enumerate() {
-            let distance = distance_lanes(block, centre);
-            for lane in 0..LANES {
-                let closer = distance[lane] < nearest[lane];
-                nearest[lane] = if closer {
-                    distance[lane]
-                } else {
-                    nearest[lane]
-                };
-                label[lane] = if closer { c as f64 } else { label[lane] };
+/// Labels of the samples; count and sum of each cluster.
+struct Clusters<const D: usize> {
+    labels: Vec<u16>,
+    counts: Vec<f64>,
+    sums: Vec<[f64; LANES]>,
+}
+
+impl<const D: usize> Clusters<D> {
+    fn means(&self) -> Vec<[f64; D]> {
+        self.sums
+            .iter()
+            .zip(&self.counts)
+            .map(|(sum, &count)| std::array::from_fn(|d| sum[d] / count.max(1.0)))
+            .collect()
+    }
+
+    /// Gives each empty cluster the sample farthest from its centre.
+    fn fill_empty(&mut self, data: &Blocks<D>, centres: &[[f64; D]]) {
+        let distance = |i: usize| squared(&data.sample(i), &centres[usize::from(self.labels[i])]);
+        let mut farthest: Vec<(f64, usize)> = (0..data.len()).map(|i| (distance(i), i)).collect();
+        farthest.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut farthest = farthest.into_iter().map(|(_, i)| i);
+        for empty in 0..self.counts.len() {
+            if self.counts[empty] > 0.0 {
+                continue;
+            }
+            let held = |i: usize| usize::from(self.labels[i]);
+            if let Some(sample) = farthest.find(|&i| self.counts[held(i)] > 1.0) {
+                let (from, x) = (held(sample), data.sample(sample));
+                self.counts[from] -= 1.0;
+                self.counts[empty] = 1.0;
+                for d in 0..D {
+                    self.sums[from][d] -= x[d];
+                    self.sums[empty][d] = x[d];
+                }
+                self.labels[sample] = empty as u16;
             }
         }
-        let filled = data.filled(index);
-        labels.extend(label[..filled].iter().map(|&c| c as usize));
-        distances.extend_from_slice(&nearest[..filled]);
     }
-    (labels, distances)
+}
+
+fn assign<const D: usize>(data: &Blocks<D>, centres: &[[f64; D]]) -> Clusters<D> {
+    vector::dispatch(Assign { data, centres })
+}
+
+struct Assign<'a, const D: usize> {
+    data: &'a Blocks<D>,
+    centres: &'a [[f64; D]],
+}
+
+impl<const D: usize> Kernel for Assign<'_, D> {
+    type Output = Clusters<D>;
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) -> Clusters<D> {
+        let k = self.centres.len();
+        let mut clusters = Clusters {
+            labels: vec![0; self.data.len()],
+            counts: vec![0.0; k],
+            sums: vec![[0.0; LANES]; k],
+        };
+        let blocks = self.data.moments();
+        for (index, group) in self.data.groups().iter().enumerate() {
+            let nearest = Nearest::of::<FUSED, D>(&group.mean, self.centres);
+            let first = index * LANES;
+            for (lane, moments) in blocks[first..].iter().take(LANES).enumerate() {
+                let begin = (first + lane) * LANES;
+                let filled = self.data.filled(first + lane);
+                let labels = &mut clusters.labels[begin..begin + filled];
+                if nearest.holds_ball(group, lane) {
+                    let label = nearest.label[lane] as usize;
+                    labels.fill(label as u16);
+                    clusters.counts[label] += moments.zeroth;
+                    add(&mut clusters.sums[label], moments);
+                } else {
+                    let block = &self.data.samples()[first + lane];
+                    let nearest = Nearest::of::<FUSED, D>(block, self.centres);
+                    for (lane, label) in labels.iter_mut().enumerate() {
+                        let c = nearest.label[lane] as usize;
+                        *label = c as u16;
+                        clusters.counts[c] += 1.0;
+                        for (sum, x) in clusters.sums[c].iter_mut().zip(block) {
+                            *sum += x[lane];
+                        }
+                    }
+                }
+            }
+        }
+        clusters
+    }
 }
 
 #[inline(always)]
-fn distance_lanes<const D: usize>(block: &[[f64; LANES]; D], centre: &[f64; D]) -> [f64; LANES] {
-    let mut distance = [0.0; LANES];
-    for (x, c) in block.iter().zip(centre) {
-        for lane in 0..LANES {
-            let d = x[lane] - c;
-            distance[lane] += d * d;
-        }
+fn add<const D: usize>(sum: &mut [f64; LANES], moments: &Moments<D>) {
+    for (sum, x) in sum.iter_mut().zip(moments.first) {
+        *sum += x;
     }
-    distance
 }
 
-/// Means of the clusters. An empty cluster takes the sample farthest from its centre.
-fn means<const D: usize>(
-    data: &Blocks<D>,
-    labels: &mut [usize],
-    distances: &[f64],
-    k: usize,
-) -> Vec<[f64; D]> {
-    let mut counts = vec![0usize; k];
-    for &label in labels.iter() {
-        counts[label] += 1;
-    }
-    if counts.contains(&0) {
-        let mut farthest: Vec<usize> = (0..labels.len()).collect();
-        farthest.sort_by(|&a, &b| distances[b].total_cmp(&distances[a]));
-        let mut farthest = farthest.into_iter();
-        for empty in 0..k {
-            if counts[empty] > 0 {
-                continue;
+/// The nearest centre of each of [`LANES`] points, its squared distance, and that of
+/// the second nearest.
+struct Nearest {
+    label: [f64; LANES],
+    square: [f64; LANES],
+    second: [f64; LANES],
+}
+
+impl Nearest {
+    #[inline(always)]
+    fn of<const FUSED: bool, const D: usize>(
+        points: &[[f64; LANES]; D],
+        centres: &[[f64; D]],
+    ) -> Nearest {
+        let mut found = Nearest {
+            label: [0.0; LANES],
+            square: [f64::INFINITY; LANES],
+            second: [f64::INFINITY; LANES],
+        };
+        for (c, centre) in centres.iter().enumerate() {
+            let square = squares::<FUSED, D>(points, centre);
+            for lane in 0..LANES {
+                let closer = square[lane] < found.square[lane];
+                let loser = if closer {
+                    found.square[lane]
+                } else {
+                    square[lane]
+                };
+                found.square[lane] = if closer {
+                    square[lane]
+                } else {
+                    found.square[lane]
+                };
+                found.label[lane] = if closer { c as f64 } else { found.label[lane] };
+                found.second[lane] = if loser < found.second[lane] {
+                    loser
+                } else {
+                    found.second[lane]
+                };
             }
-            if let Some(sample) = farthest.find(|&i| counts[labels[i]] > 1) {
-                counts[labels[sample]] -= 1;
-                counts[empty] = 1;
-                labels[sample] = empty;
-            }
+        }
+        found
+    }
+
+    /// Whether all of a ball around the point is nearest to the same centre.
+    #[inline(always)]
+    fn holds_ball<const D: usize>(&self, group: &Group<D>, lane: usize) -> bool {
+        let gap = self.second[lane].sqrt() - self.square[lane].sqrt();
+        gap > 2.0 * group.radius[lane] + ROUNDING * self.second[lane].sqrt()
+    }
+}
+
+#[inline(always)]
+fn squares<const FUSED: bool, const D: usize>(
+    points: &[[f64; LANES]; D],
+    centre: &[f64; D],
+) -> [f64; LANES] {
+    let mut square = [0.0; LANES];
+    for (x, c) in points.iter().zip(centre) {
+        for lane in 0..LANES {
+            let d = x[lane] - c;
+            square[lane] = multiply_add::<FUSED>(d, d, square[lane]);
         }
     }
-    let mut sums = vec![[0.0; D]; k];
-    for (i, &label) in labels.iter().enumerate() {
-        for (sum, x) in sums[label].iter_mut().zip(data.sample(i)) {
-            *sum += x;
-        }
-    }
-    for (sum, &count) in sums.iter_mut().zip(&counts) {
-        for value in sum.iter_mut() {
-            *value /= count.max(1) as f64;
-        }
-    }
-    sums
+    square
 }
 
 fn seed<const D: usize>(data: &Blocks<D>, k: usize, rng: &mut Stream) -> Vec<[f64; D]> {
-    let n = data.len();
     let trials = 2 + (k as f64).ln() as usize;
-    let first = data.sample(rng.below(n));
+    let first = data.sample(rng.below(data.len()));
     let mut centres = vec![first];
-    let mut nearest = distances_to(data, &first);
+    let unknown = vec![[f64::INFINITY; LANES]; data.samples().len()];
+    let (mut nearest, mut potential) = nearer(data, &unknown, &first);
     while centres.len() < k {
-        let potential: f64 = nearest.iter().sum();
-        let mut best: Option<(f64, Vec<f64>, [f64; D])> = None;
+        let mut best: Option<(f64, Vec<[f64; LANES]>, [f64; D])> = None;
         for _ in 0..trials {
-            let candidate = data.sample(pick(&nearest, rng.uniform() * potential));
-            let mut distances = distances_to(data, &candidate);
-            for (d, &old) in distances.iter_mut().zip(&nearest) {
-                *d = d.min(old);
-            }
-            let left: f64 = distances.iter().sum();
+            let candidate = data.sample(pick(&nearest, data.len(), rng.uniform() * potential));
+            let (distances, left) = nearer(data, &nearest, &candidate);
             if best.as_ref().is_none_or(|(lowest, ..)| left < *lowest) {
                 best = Some((left, distances, candidate));
             }
         }
-        if let Some((_, distances, centre)) = best {
-            nearest = distances;
+        if let Some((left, distances, centre)) = best {
+            (nearest, potential) = (distances, left);
             centres.push(centre);
         }
     }
@@ -142,38 +239,81 @@ fn seed<const D: usize>(data: &Blocks<D>, k: usize, rng: &mut Stream) -> Vec<[f6
 }
 
 /// First sample at which the running sum of `weights` reaches `target`.
-fn pick(weights: &[f64], target: f64) -> usize {
+fn pick(weights: &[[f64; LANES]], samples: usize, target: f64) -> usize {
     let mut sum = 0.0;
-    weights
-        .iter()
-        .position(|w| {
-            sum += w;
-            sum >= target
-        })
-        .unwrap_or(weights.len() - 1)
-}
-
-fn distances_to<const D: usize>(data: &Blocks<D>, centre: &[f64; D]) -> Vec<f64> {
-    let mut distances = Vec::with_capacity(data.len());
-    for (index, block) in data.iter().enumerate() {
-        let lanes = distance_lanes(block, centre);
-        distances.extend_from_slice(&lanes[..data.filled(index)]);
-    }
-    distances
-}
-
-fn mean_variance<const D: usize>(data: &Blocks<D>) -> f64 {
-    let n = data.len() as f64;
-    let mut mean = [0.0; D];
-    for i in 0..data.len() {
-        for (m, x) in mean.iter_mut().zip(data.sample(i)) {
-            *m += x / n;
+    for (index, block) in weights.iter().enumerate() {
+        let whole: f64 = block.iter().sum();
+        if sum + whole >= target {
+            for (lane, weight) in block.iter().enumerate() {
+                sum += weight;
+                if sum >= target {
+                    return index * LANES + lane;
+                }
+            }
+        } else {
+            sum += whole;
         }
     }
-    let total: f64 = (0..data.len())
-        .map(|i| squared(&data.sample(i), &mean))
+    samples - 1
+}
+
+/// Squared distances of the samples to the nearest centre when `centre` is added to
+/// those that gave `nearest`, and their sum; lanes without a sample have 0.
+fn nearer<const D: usize>(
+    data: &Blocks<D>,
+    nearest: &[[f64; LANES]],
+    centre: &[f64; D],
+) -> (Vec<[f64; LANES]>, f64) {
+    vector::dispatch(Nearer {
+        data,
+        nearest,
+        centre,
+    })
+}
+
+struct Nearer<'a, const D: usize> {
+    data: &'a Blocks<D>,
+    nearest: &'a [[f64; LANES]],
+    centre: &'a [f64; D],
+}
+
+impl<const D: usize> Kernel for Nearer<'_, D> {
+    type Output = (Vec<[f64; LANES]>, f64);
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) -> Self::Output {
+        let mut distances = Vec::with_capacity(self.nearest.len());
+        let mut sum = [0.0; LANES];
+        let blocks = self.data.samples().iter().zip(self.nearest);
+        for (index, (block, nearest)) in blocks.enumerate() {
+            let mut square = squares::<FUSED, D>(block, self.centre);
+            for lane in 0..LANES {
+                let old = nearest[lane];
+                square[lane] = if square[lane] < old {
+                    square[lane]
+                } else {
+                    old
+                };
+            }
+            square[self.data.filled(index)..].fill(0.0);
+            for lane in 0..LANES {
+                sum[lane] += square[lane];
+            }
+            distances.push(square);
+        }
+        (distances, sum.iter().sum())
+    }
+}
+
+/// Mean over the columns of their variances.
+fn mean_variance<const D: usize>(data: &Blocks<D>) -> f64 {
+    // The samples are relative to their mean.
+    let squares: f64 = data
+        .moments()
+        .iter()
+        .map(|m| (0..D).map(|d| m.second[d][d]).sum::<f64>())
         .sum();
-    total / n / D as f64
+    squares / data.len() as f64 / D as f64
 }
 
 fn squared<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {

@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 
-use super::*;
+use super::{gaussian::Component, *};
+use crate::vector::LANES;
 
 /// A mixture in three dimensions and the log densities that scikit-learn 1.9.1
 /// (GaussianMixture.score_samples) gives for four points.
@@ -33,10 +34,12 @@ fn log_densities_are_those_of_scikit_learn() {
         -55.884_050_847_596_62,
         -503.044_544_674_757,
     ];
-    let blocks = Blocks::<3>::gather(Rows::new(3, &points), &[0, 1, 2, 3]);
-    let density = LogDensity::<3>::new(&mixture).unwrap();
-    let found = density.at(blocks.iter().next().unwrap());
-    for (found, expected) in found.iter().zip(expected) {
+    let components = prepare::<3>(&mixture).unwrap();
+    let samples = std::array::from_fn(|d| std::array::from_fn(|lane| points[lane % 4 * 3 + d]));
+    let [first, second] = [0, 1].map(|c| components[c].log_weighted::<true>(&samples));
+    for (lane, expected) in expected.into_iter().enumerate() {
+        let max = f64::max(first[lane], second[lane]);
+        let found = max + ((first[lane] - max).exp() + (second[lane] - max).exp()).ln();
         assert!((found / expected - 1.0).abs() < 1e-13, "{found} {expected}");
     }
 }
@@ -55,7 +58,7 @@ fn em_from_given_clusters_is_that_of_scikit_learn() {
         .enumerate()
         .flat_map(|(i, h)| [i as f64 / 6.0, *h])
         .collect();
-    let labels: Vec<usize> = (0..25).map(|i| usize::from(i as f64 / 6.0 > 1.9)).collect();
+    let labels: Vec<u16> = (0..25).map(|i| u16::from(i as f64 / 6.0 > 1.9)).collect();
     let all: Vec<usize> = (0..25).collect();
     let data = Blocks::<2>::gather(Rows::new(2, &values), &all);
     let fit = em::maximise(&data, &labels, 2).unwrap();
@@ -171,23 +174,129 @@ fn samples_have_the_mixtures_mean_and_variance() {
             vec![vec![0.5, -0.2], vec![-0.2, 0.3]],
         ],
     };
-    let density = LogDensity::<2>::new(&mixture).unwrap();
+    let components = prepare::<2>(&mixture).unwrap();
     let (mut count, mut sum, mut squares) = (0usize, 0.0, 0.0);
     let mut rng = Stream::derive(8, &[]);
-    for (component, share) in density.shares_of(200_000, &mut rng).into_iter().enumerate() {
-        for begun in (0..share).step_by(LANES) {
-            let samples = density.draw(component, &mut rng);
-            for x in &samples[0][..LANES.min(share - begun)] {
+    for (component, blocks) in components.iter().zip([50_000 / LANES, 150_000 / LANES]) {
+        for _ in 0..blocks {
+            for x in component.draw::<true>(&mut rng)[0] {
                 count += 1;
                 sum += x;
                 squares += x * x;
             }
         }
     }
-    assert_eq!(count, 200_000);
     let mean = sum / count as f64;
     let variance = squares / count as f64 - mean * mean;
     // 0.25 * -3 + 0.75 * 5 = 3; within + between: 0.625 + 0.25 * 36 + 0.75 * 4.
     assert!((mean - 3.0).abs() < 5.0 * (12.625f64 / 200_000.0).sqrt());
     assert!((variance - 12.625).abs() < 0.15, "{variance}");
+}
+
+/// The E step as it is written down: every sample, every component.
+fn plain_step(data: &Blocks<3>, components: &[Component<3>]) -> (f64, Vec<f64>, Vec<[f64; 3]>) {
+    let k = components.len();
+    let (mut total, mut mass, mut first) = (0.0, vec![0.0; k], vec![[0.0; 3]; k]);
+    for i in 0..data.len() {
+        let x = data.sample(i);
+        let densities: Vec<f64> = components
+            .iter()
+            .map(|c| {
+                let covariance = nalgebra::Matrix3::from_fn(|i, j| c.covariance[i][j]);
+                let d = nalgebra::Vector3::from_fn(|i, _| x[i] - c.mean[i]);
+                let square = d.dot(&(covariance.try_inverse().unwrap() * d));
+                let scale = (2.0 * std::f64::consts::PI).powi(3) * covariance.determinant();
+                c.weight.ln() - 0.5 * (scale.ln() + square)
+            })
+            .collect();
+        let max = densities.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let sum: f64 = densities.iter().map(|log| (log - max).exp()).sum();
+        total += max + sum.ln();
+        for (c, log) in densities.iter().enumerate() {
+            let share = (log - max).exp() / sum;
+            mass[c] += share;
+            for (f, x) in first[c].iter_mut().zip(x) {
+                *f += share * x;
+            }
+        }
+    }
+    (total, mass, first)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Whatever the components do from step to step, small moves and jumps, looking
+    /// only at what matters gives what looking at everything gives.
+    #[test]
+    fn the_e_step_is_the_plain_one(
+        seed in 0u64..1000, samples in 20usize..400, k in 1usize..6, noise in 0.01..5.0f64,
+    ) {
+        let values = arc(samples, noise, seed);
+        let rows = Rows::new(3, &values);
+        let data = Blocks::<3>::gather(rows, &rows.by_time());
+        let mut rng = Stream::derive(seed, &[17]);
+        let mut components: Vec<Component<3>> = (0..k)
+            .map(|_| Component {
+                weight: 1.0 / k as f64,
+                mean: data.sample(rng.below(samples)),
+                covariance: [[1.0, 0.1, 0.0], [0.1, 20.0, 1.0], [0.0, 1.0, 5.0]],
+            })
+            .collect();
+        let mut expectation = expectation::Expectation::new(&data, k);
+        for step in [0.0, 1e-6, 1e-3, 0.1, 1.0, 10.0, 0.01] {
+            for c in &mut components {
+                for i in 0..3 {
+                    c.mean[i] += step * rng.normal();
+                    c.covariance[i][i] *= (0.3 * step.min(1.0) * rng.normal()).exp();
+                }
+                c.covariance[1][1] += 0.1;
+                c.covariance[2][2] += 0.1;
+            }
+            let gaussians = components.iter().map(|c| Gaussian::new(c).unwrap()).collect();
+            let (total, moments) = expectation.step(gaussians);
+            let (plain, mass, first) = plain_step(&data, &components);
+            prop_assert!((total - plain).abs() < 1e-8 * plain.abs().max(1.0), "{total} {plain}");
+            for c in 0..k {
+                prop_assert!((moments[c].zeroth - mass[c]).abs() < 1e-7);
+                for i in 0..3 {
+                    prop_assert!((moments[c].first[i] - first[c][i]).abs() < 1e-5);
+                }
+            }
+        }
+    }
+
+    /// Every sample is labelled with its nearest centre, and every centre is the mean
+    /// of its samples: what Lloyd's iterations end with (or their tolerance).
+    #[test]
+    fn k_means_ends_where_lloyds_iterations_end(
+        seed in 0u64..1000, samples in 20usize..400, k in 1usize..9, noise in 0.01..5.0f64,
+    ) {
+        let values = arc(samples, noise, seed);
+        let rows = Rows::new(3, &values);
+        let data = Blocks::<3>::gather(rows, &rows.by_time());
+        let labels = kmeans::cluster(&data, k, &mut Stream::derive(seed, &[5]));
+        let mut centres = vec![[0.0; 3]; k];
+        let mut counts = vec![0.0; k];
+        for (i, &label) in labels.iter().enumerate() {
+            counts[usize::from(label)] += 1.0;
+            for (c, x) in centres[usize::from(label)].iter_mut().zip(data.sample(i)) {
+                *c += x;
+            }
+        }
+        prop_assert!(counts.iter().all(|&count| count > 0.0));
+        for (centre, count) in centres.iter_mut().zip(&counts) {
+            *centre = centre.map(|c| c / count);
+        }
+        let distance = |a: &[f64; 3], b: &[f64; 3]| -> f64 {
+            a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
+        };
+        let spread = (0..samples).map(|i| distance(&data.sample(i), &[0.0; 3])).fold(0.0, f64::max);
+        for (i, &label) in labels.iter().enumerate() {
+            let own = distance(&data.sample(i), &centres[usize::from(label)]);
+            let least = centres.iter().map(|c| distance(&data.sample(i), c)).fold(f64::INFINITY, f64::min);
+            // The centres may still move by the tolerance of the iterations.
+            prop_assert!(own <= least + 0.05 * spread, "{own} {least}");
+        }
+    }
 }

@@ -22,8 +22,6 @@ use crate::{
 const NEARLY: f64 = 1.02;
 /// Most demonstrations that are left out in turn.
 const MAX_FOLDS: usize = 6;
-/// Samples for the distance between two folds' mixtures: it is reported, not decided by.
-const JS_SAMPLES: usize = 5_000;
 const STREAM_FOLDS: u64 = 5;
 
 /// How much a left-out demonstration misses with one number of components.
@@ -83,7 +81,7 @@ pub fn leave_one_out(
             let mut rng = Stream::derive(seed, &[STREAM_FOLDS, k as u64]);
             let distances = fits
                 .windows(2)
-                .map(|pair| js::distance(&pair[0].0, &pair[1].0, JS_SAMPLES, &mut rng))
+                .map(|pair| js::distance(&pair[0].0, &pair[1].0, &mut rng))
                 .collect::<Result<Vec<f64>, Error>>()?;
             let distances = if distances.is_empty() {
                 vec![0.0]

@@ -51,9 +51,8 @@ pub fn by_the_paper(
     let k = selection::choose(&js);
 
     Counter::begin(progress, Stage::Mixture, 1)?;
-    let all: Vec<usize> = (0..rows.len()).collect();
     let mut rng = Stream::derive(params.seed, &[STREAM_MIXTURE]);
-    let mixture = mixture::fit(rows, &all, k, &mut rng)?.mixture;
+    let mixture = mixture::fit(rows, &rows.by_time(), k, &mut rng)?.mixture;
     Counter::begin(progress, Stage::Regression, 1)?;
     let course = Course {
         motion_s: aligned.duration_s(),
