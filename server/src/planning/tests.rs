@@ -10,6 +10,7 @@ use motion::gate::Refusal;
 use super::*;
 
 mod elsewhere;
+mod figures;
 
 /// A motion of joints 1, 2 and 5, taught three times in `duration_s`.
 fn taught(duration_s: f64) -> Model {
