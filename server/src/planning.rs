@@ -3,6 +3,7 @@
 //! limits ask for it, and the gate's word on the whole.
 
 mod error;
+mod targets;
 
 use learning::{Model, dmp::Extent};
 use motion::{
@@ -15,6 +16,8 @@ use motion::{
 };
 
 pub use error::PlanError;
+pub use targets::Target;
+use targets::{resolve, turn_with_start, whole_turns};
 
 /// Period of the samples: the nominal cycle of the controller.
 const PERIOD_S: f64 = 0.004;
@@ -33,19 +36,11 @@ const APPROACH_SHORTEST_S: f64 = 1.0;
 const PAUSE_S: f64 = 0.25;
 /// A start or goal further than this from the taught one is worth a word.
 const FAR_DEG: f64 = 30.0;
+/// A curve that begins or ends exactly where a joint's range does ripples across that
+/// by less than this; it is held at the end of the range instead of being refused.
+const RIPPLE_DEG: f64 = 0.01;
 /// Smallest speed that can be asked for.
 pub const SLOWEST: f64 = 0.05;
-
-/// A start or goal that is asked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Target {
-    /// As in the demonstrations.
-    AsTaught,
-    /// Where the arm stands now.
-    Present,
-    /// These joint angles.
-    Joints(JointAngles),
-}
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,11 +85,7 @@ pub fn plan(
     }
     let start = resolve("start", request.start, model.start_deg(), present, limits)?;
     let mut goal = resolve("goal", request.goal, model.goal_deg(), present, limits)?;
-    let turned = if request.goal == Target::AsTaught {
-        turn_with_start(&start, &mut goal, model.start_deg(), limits)?
-    } else {
-        None
-    };
+    let turned = turn_with_start(&start, &mut goal, model, limits)?;
     let motion = reproduction(model, &start, &goal)?;
     let (motion, stretch) = within_rates(&motion, 1.0 / request.speed, limits)?;
 
@@ -136,61 +127,6 @@ pub fn plan(
         inspection,
         warnings,
     })
-}
-
-fn resolve(
-    which: &'static str,
-    target: Target,
-    taught_deg: &[f64],
-    present: Option<JointAngles>,
-    limits: &RobotLimits,
-) -> Result<JointAngles, PlanError> {
-    let taught: [f64; JOINTS] = taught_deg
-        .try_into()
-        .map_err(|_| PlanError::JointCount(taught_deg.len()))?;
-    let joints = match target {
-        Target::AsTaught => JointAngles(taught),
-        Target::Present => present.ok_or(PlanError::PresentUnknown)?,
-        Target::Joints(joints) => joints,
-    };
-    match limits.joint_out_of_range(&joints) {
-        Some(j) => Err(PlanError::TargetOutsideRange {
-            which,
-            joint: j + 1,
-            value_deg: joints.0[j],
-            min_deg: limits.joint_min_deg[j],
-            max_deg: limits.joint_max_deg[j],
-        }),
-        None => Ok(joints),
-    }
-}
-
-/// A joint that stands whole turns away from the taught start (only the wrist can)
-/// keeps them: the goal is taken at the same turn, where the tool points the same
-/// way, instead of unwinding on the way. Gives the joint that was turned, from 0.
-fn turn_with_start(
-    start: &JointAngles,
-    goal: &mut JointAngles,
-    taught_start_deg: &[f64],
-    limits: &RobotLimits,
-) -> Result<Option<usize>, PlanError> {
-    let mut turned = None;
-    for j in 0..JOINTS {
-        let offset_deg = start.0[j] - taught_start_deg[j];
-        let turns = (offset_deg / 360.0).round();
-        if turns == 0.0 {
-            continue;
-        }
-        goal.0[j] += 360.0 * turns;
-        if limits.joint_out_of_range(goal) == Some(j) {
-            return Err(PlanError::TurnedAway {
-                joint: j + 1,
-                offset_deg,
-            });
-        }
-        turned = Some(j);
-    }
-    Ok(turned)
 }
 
 /// The motion at the taught speed, at rest at the goal.
@@ -260,7 +196,7 @@ fn within_rates(
 ) -> Result<(Vec<JointAngles>, f64), PlanError> {
     let mut stretch = stretch;
     loop {
-        let joints = sampled(curve, stretch);
+        let joints = sampled(curve, stretch, limits);
         let proposed = ProposedMotion {
             period_s: PERIOD_S,
             approach_samples: 0,
@@ -276,11 +212,22 @@ fn within_rates(
     }
 }
 
-fn sampled(curve: &Spline, stretch: f64) -> Vec<JointAngles> {
+fn sampled(curve: &Spline, stretch: f64, limits: &RobotLimits) -> Vec<JointAngles> {
     let duration = curve.duration_s() * stretch;
     let count = (duration / PERIOD_S).ceil() as usize + 1;
     (0..count.min(gate::MAX_SAMPLES + 1))
-        .map(|i| curve.at(i as f64 * PERIOD_S / stretch))
+        .map(|i| {
+            let joints = curve.at(i as f64 * PERIOD_S / stretch);
+            JointAngles(std::array::from_fn(|j| {
+                let (min, max) = (limits.joint_min_deg[j], limits.joint_max_deg[j]);
+                let held = joints.0[j].clamp(min, max);
+                if (joints.0[j] - held).abs() <= RIPPLE_DEG {
+                    held
+                } else {
+                    joints.0[j]
+                }
+            }))
+        })
         .collect()
 }
 
@@ -331,13 +278,24 @@ fn warnings(
     ] {
         let off = |j: &usize| {
             let offset = target.0[*j] - taught[*j];
-            (offset - 360.0 * (offset / 360.0).round()).abs()
+            (offset - 360.0 * whole_turns(offset)).abs()
         };
         if let Some(j) = (0..JOINTS).find(|j| off(j) > FAR_DEG) {
             warnings.push(format!(
                 "The {which} is {:.0}° from what you taught at joint {}. Watch the arm closely.",
                 off(&j),
                 j + 1
+            ));
+        }
+    }
+    for j in 0..JOINTS {
+        let off = |target: &JointAngles, taught: &[f64]| target.0[j] - taught[j];
+        let further = off(goal, model.goal_deg()) - off(start, model.start_deg());
+        if whole_turns(further) != 0.0 {
+            warnings.push(format!(
+                "Joint {} turns {:.0}° further on its way than you taught. Watch the arm and its cables closely.",
+                j + 1,
+                further.abs()
             ));
         }
     }

@@ -9,6 +9,9 @@ use motion::gate::Refusal;
 
 use super::*;
 
+mod elsewhere;
+mod figures;
+
 /// A motion of joints 1, 2 and 5, taught three times in `duration_s`.
 fn taught(duration_s: f64) -> Model {
     let takes: Vec<Demonstration> = [0.0, 1.0, -1.0]
