@@ -3,6 +3,7 @@
 //! Inside, `http` knows HTTP, `store` knows SQL, `jobs` does background work; the arm is in the
 //! crate `robot`, the learning in `learning`, numbers and the gate in `motion`.
 
+mod agreement;
 mod announce;
 mod app;
 pub mod cli;

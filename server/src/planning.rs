@@ -4,6 +4,7 @@
 
 mod error;
 mod targets;
+mod warning;
 
 use learning::{Model, dmp::Extent};
 use motion::{
@@ -18,6 +19,7 @@ use motion::{
 pub use error::PlanError;
 pub use targets::Target;
 use targets::{resolve, turn_with_start, whole_turns};
+pub use warning::Warning;
 
 /// Period of the samples: the nominal cycle of the controller.
 const PERIOD_S: f64 = 0.004;
@@ -69,7 +71,7 @@ pub struct PlannedMotion {
     /// What the gate saw.
     pub inspection: Inspection,
     /// Remarks for people.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Plans the reproduction of `model`. `present` is where the arm stands; without
@@ -113,10 +115,7 @@ pub fn plan(
         limits,
     );
     if let Some(joint) = turned {
-        warnings.push(format!(
-            "Joint {} stands a whole turn from what you taught; the goal is taken at the same turn.",
-            joint + 1
-        ));
+        warnings.push(Warning::WholeTurn { joint: joint + 1 });
     }
     Ok(PlannedMotion {
         plan,
@@ -270,53 +269,51 @@ fn warnings(
     inspection: &Inspection,
     present: Option<JointAngles>,
     limits: &RobotLimits,
-) -> Vec<String> {
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     for (which, target, taught) in [
         ("start", start, model.start_deg()),
         ("goal", goal, model.goal_deg()),
     ] {
-        let off = |j: &usize| {
-            let offset = target.0[*j] - taught[*j];
+        let off = |j: usize| {
+            let offset = target.0[j] - taught[j];
             (offset - 360.0 * whole_turns(offset)).abs()
         };
-        if let Some(j) = (0..JOINTS).find(|j| off(j) > FAR_DEG) {
-            warnings.push(format!(
-                "The {which} is {:.0}° from what you taught at joint {}. Watch the arm closely.",
-                off(&j),
-                j + 1
-            ));
+        let furthest = (0..JOINTS).max_by(|&a, &b| off(a).total_cmp(&off(b)));
+        if let Some(j) = furthest.filter(|&j| off(j) > FAR_DEG) {
+            warnings.push(Warning::FarFromTaught {
+                which,
+                joint: j + 1,
+                off_deg: off(j),
+            });
         }
     }
     for j in 0..JOINTS {
         let off = |target: &JointAngles, taught: &[f64]| target.0[j] - taught[j];
         let further = off(goal, model.goal_deg()) - off(start, model.start_deg());
         if whole_turns(further) != 0.0 {
-            warnings.push(format!(
-                "Joint {} turns {:.0}° further on its way than you taught. Watch the arm and its cables closely.",
-                j + 1,
-                further.abs()
-            ));
+            warnings.push(Warning::TurnsFurther {
+                joint: j + 1,
+                further_deg: further.abs(),
+            });
         }
     }
     if let Some(fidelity) = &model.report.fidelity
         && fidelity.missed_over_mutual.is_some_and(|ratio| ratio > 1.0)
     {
-        warnings.push(format!(
-            "The learned path runs {:.0} mm from what you showed on average, {:.0} mm at worst: more than your takes differ from each other.",
-            fidelity.missed_mean_mm, fidelity.missed_max_mm
-        ));
+        warnings.push(Warning::MissesTheTakes {
+            mean_mm: fidelity.missed_mean_mm,
+            max_mm: fidelity.missed_max_mm,
+        });
     }
     if slowed_by > 1.01 {
-        warnings.push(format!(
-            "The motion runs {slowed_by:.1} times slower than you asked for, to stay within the speed limits."
-        ));
+        warnings.push(Warning::Slowed { factor: slowed_by });
     }
     if inspection.min_wrist_angle_deg < limits.min_wrist_angle_deg {
-        warnings.push("The wrist passes through its stretched pose (joint 5 near 0°).".into());
+        warnings.push(Warning::StretchedWrist);
     }
     if present.is_none() {
-        warnings.push("No arm is connected: this can be looked at, not run.".into());
+        warnings.push(Warning::NoArm);
     }
     warnings
 }

@@ -12,7 +12,7 @@ use motion::limits::RobotLimits;
 use motion::plan::Plan;
 
 use crate::ids::{ModelId, TaskId};
-use crate::planning::{self, PlanError, PlanRequest};
+use crate::planning::{self, PlanError, PlanRequest, Warning};
 
 /// How many plans are remembered.
 const REMEMBERED: usize = 32;
@@ -40,7 +40,7 @@ pub struct KnownPlan {
     /// What the gate saw.
     pub inspection: Inspection,
     /// Remarks for people.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl KnownPlan {

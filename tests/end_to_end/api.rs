@@ -33,6 +33,7 @@ fn routes_with_identifiers() -> Vec<(Method, &'static str, Option<Value>)> {
         (Method::DELETE, "/tasks/{id}", None),
         (Method::GET, "/tasks/{id}/demonstrations", None),
         (Method::POST, "/tasks/{id}/demonstrations", Some(json!({}))),
+        (Method::GET, "/tasks/{id}/agreement", None),
         (Method::POST, "/tasks/{id}/models", Some(json!({}))),
         (Method::GET, "/tasks/{id}/models", None),
         (Method::GET, "/demonstrations/{id}", None),

@@ -11,6 +11,7 @@ use motion::gate::Refusal;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use crate::agreement::AgreementError;
 use crate::planning::PlanError;
 use crate::recording::RecordingError;
 use crate::reproducing::ReproducingError;
@@ -290,6 +291,15 @@ impl From<TrainingError> for ApiError {
             TrainingError::NotReady(_) => Self::conflict("wrong_state", words)
                 .advise("Wait until the training has ended, or train again."),
             TrainingError::Damaged(_) | TrainingError::Broke(_) => Self::internal(&words),
+        }
+    }
+}
+
+impl From<AgreementError> for ApiError {
+    fn from(error: AgreementError) -> Self {
+        match error {
+            AgreementError::Store(error) => error.into(),
+            AgreementError::Broke(error) => Self::internal(&error),
         }
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Handlers take a request apart, call one thing, and shape the answer; they decide nothing.
 
+mod agreement;
 mod assets;
 mod auth;
 mod demonstrations;

@@ -10,7 +10,7 @@ use super::extract::Json;
 use super::state::AppState;
 use super::trajectories::plan_columns;
 use crate::ids::ModelId;
-use crate::planning::{PlanRequest, Target};
+use crate::planning::{PlanRequest, Target, Warning};
 use crate::plans::KnownPlan;
 use crate::training;
 
@@ -86,6 +86,8 @@ pub struct Plan {
     slowed_by: f64,
     /// What a person should know before starting it.
     warnings: Vec<String>,
+    /// The same warnings in the same order for programs.
+    warning_details: Vec<WarningDetail>,
     /// The result of the check in a sentence.
     verdict: String,
     /// Times in seconds.
@@ -96,6 +98,23 @@ pub struct Plan {
     tcp_mm: Vec<Vec<f64>>,
     /// The largest values on the way.
     peak: Peak,
+}
+
+/// A warning for programs.
+#[derive(Debug, Default, Serialize, ToSchema)]
+pub struct WarningDetail {
+    /// Names this kind of warning for ever; "far_from_taught" when the start or goal lies outside
+    /// what was taught.
+    code: &'static str,
+    /// "start" or "goal", where it is about one of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    field: Option<&'static str>,
+    /// The joint that it is about, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    joint: Option<usize>,
+    /// How far this joint is from what was taught, in degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    off_deg: Option<f64>,
 }
 
 /// The largest values on the way.
@@ -174,7 +193,8 @@ fn answer(known: &KnownPlan) -> Plan {
         duration_s: known.plan.duration_s(),
         approach_s: known.plan.approach_s(),
         slowed_by: known.slowed_by,
-        warnings: known.warnings.clone(),
+        warnings: known.warnings.iter().map(Warning::to_string).collect(),
+        warning_details: known.warnings.iter().map(WarningDetail::of).collect(),
         verdict: verdict(known),
         t_s,
         joints_deg,
@@ -183,5 +203,38 @@ fn answer(known: &KnownPlan) -> Plan {
             joint_speed_deg_s: known.inspection.peak_joint_speed_deg_s,
             tcp_speed_mm_s: known.inspection.peak_tcp_speed_mm_s,
         },
+    }
+}
+
+impl WarningDetail {
+    fn of(warning: &Warning) -> Self {
+        let code = warning.code();
+        match *warning {
+            Warning::FarFromTaught {
+                which,
+                joint,
+                off_deg,
+            } => Self {
+                code,
+                field: Some(which),
+                joint: Some(joint),
+                off_deg: Some(off_deg),
+            },
+            Warning::WholeTurn { joint } => Self {
+                code,
+                joint: Some(joint),
+                ..Self::default()
+            },
+            Warning::TurnsFurther { joint, further_deg } => Self {
+                code,
+                joint: Some(joint),
+                off_deg: Some(further_deg),
+                ..Self::default()
+            },
+            _ => Self {
+                code,
+                ..Self::default()
+            },
+        }
     }
 }

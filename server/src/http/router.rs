@@ -12,8 +12,8 @@ use utoipa_axum::routes;
 
 use super::state::AppState;
 use super::{
-    assets, auth, demonstrations, headers, health, jobs, live, models, plans, reproductions, robot,
-    session, tasks,
+    agreement, assets, auth, demonstrations, headers, health, jobs, live, models, plans,
+    reproductions, robot, session, tasks,
 };
 
 /// Requests are small; only recorded files are not.
@@ -61,6 +61,7 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(demonstrations::stop))
         .routes(routes!(demonstrations::keep))
         .routes(routes!(demonstrations::discard))
+        .routes(routes!(agreement::show))
         .routes(routes!(models::list, models::train))
         .routes(routes!(models::show))
         .routes(routes!(models::file))

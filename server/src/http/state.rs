@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use robot::Robot;
 
+use crate::agreement::Agreements;
 use crate::clock::SharedClock;
 use crate::config::RobotChoice;
 use crate::events::Events;
@@ -34,6 +35,8 @@ pub struct AppState {
     pub queue: Queue,
     /// Starts motions.
     pub reproducer: Reproducer,
+    /// Which takes were compared lately.
+    pub agreements: Arc<Agreements>,
     /// Previewed motions.
     pub plans: Arc<Plans>,
     /// Checks pairing codes; nothing when only this computer can reach the server.
@@ -69,6 +72,7 @@ impl AppState {
             recorder,
             queue,
             reproducer,
+            agreements: Arc::default(),
             plans,
             gatekeeper,
             shutdown: Shutdown::default(),

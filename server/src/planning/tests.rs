@@ -115,6 +115,32 @@ fn a_new_start_and_goal_are_reached_exactly() {
 }
 
 #[test]
+fn a_start_or_goal_far_outside_what_was_taught_is_named_with_its_furthest_joint() {
+    let moved = |q: &[f64], by: [f64; 6]| JointAngles(std::array::from_fn(|j| q[j] + by[j]));
+    let far = |start: [f64; 6], goal: [f64; 6]| {
+        let request = PlanRequest {
+            start: Target::Joints(moved(model().start_deg(), start)),
+            goal: Target::Joints(moved(model().goal_deg(), goal)),
+            speed: 1.0,
+        };
+        let planned = plan(model(), &request, None, &limits()).unwrap();
+        let far = planned.warnings.iter().filter_map(|warning| match warning {
+            Warning::FarFromTaught {
+                which,
+                joint,
+                off_deg,
+            } => Some((*which, *joint, off_deg.round())),
+            _ => None,
+        });
+        far.collect::<Vec<_>>()
+    };
+    assert_eq!(far([20.0; 6], [-5.0; 6]), []);
+    let turned = [31.0, 0.0, 0.0, 0.0, 0.0, -40.0];
+    assert_eq!(far(turned, [0.0; 6]), [("start", 6, 40.0)]);
+    assert_eq!(far([0.0; 6], turned), [("goal", 6, 40.0)]);
+}
+
+#[test]
 fn half_the_speed_takes_twice_as_long() {
     let at = |speed: f64| {
         let request = PlanRequest {
@@ -134,7 +160,7 @@ fn a_motion_taught_too_quickly_is_slowed_down_and_says_so() {
     let planned = plan(&taught(1.5), &as_taught(), None, &limits()).unwrap();
     assert!(planned.slowed_by > 1.5, "{}", planned.slowed_by);
     assert!(planned.inspection.peak_tcp_speed_mm_s <= limits().tcp_speed_mm_s);
-    assert!(planned.warnings.iter().any(|w| w.contains("slower")));
+    assert!(planned.warnings.iter().any(|w| w.code() == "slowed"));
 }
 
 #[test]
@@ -201,7 +227,7 @@ fn the_present_pose_must_be_known_to_be_asked_for() {
     );
     let without = plan(model(), &as_taught(), None, &limits()).unwrap();
     assert_eq!(without.plan.approach_s(), 0.0);
-    assert!(without.warnings.iter().any(|w| w.contains("No arm")));
+    assert!(without.warnings.contains(&Warning::NoArm));
 }
 
 /// Joint 6 was taught at 0 deg; its range is ±270 deg.
@@ -246,7 +272,7 @@ fn a_wrist_a_turn_away_keeps_its_turn_or_is_refused() {
         "{:?}",
         planned.goal
     );
-    assert!(planned.warnings.iter().any(|w| w.contains("whole turn")));
+    assert!(planned.warnings.contains(&Warning::WholeTurn { joint: 6 }));
     let wound = |q: &motion::plan::Setpoint| (129.0 - 1.0..=210.0 + 1.0).contains(&q.joints.0[5]);
     assert!(planned.plan.samples().iter().all(wound));
 }

@@ -12,6 +12,7 @@ import type {
   ReproductionTrajectory,
   Session,
   Task,
+  TaskAgreement,
   Trajectory,
 } from "./types";
 
@@ -47,6 +48,9 @@ export const closeDemonstration = (id: string, action: "stop" | "keep" | "discar
   request<Demonstration>("POST", `/demonstrations/${id}/${action}`);
 export const getTrajectory = (id: string, points: number) =>
   request<Trajectory>("GET", `/demonstrations/${id}/trajectory?max_points=${points}`);
+
+export const getAgreement = (task: string) =>
+  request<TaskAgreement>("GET", `/tasks/${task}/agreement`);
 
 export const listModels = (task: string) => request<Model[]>("GET", `/tasks/${task}/models`);
 export const getModel = (id: string) => request<Model>("GET", `/models/${id}`);

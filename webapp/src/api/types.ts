@@ -37,6 +37,34 @@ export interface Demonstration {
   problem?: string | null;
 }
 
+/** Where a take differs most from the others. */
+export interface WorstPlace {
+  /** Share of the motion's time, 0 to 1. */
+  phase: number;
+  joint: number;
+  off_deg: number;
+}
+
+export type Verdict = "agrees" | "differs" | "other_motion" | "unusable" | "open";
+
+/** One take beside the others. */
+export interface ComparedTake {
+  id: string;
+  take: number;
+  verdict: Verdict;
+  words?: string | null;
+  worst?: WorstPlace | null;
+}
+
+/** How well the takes of a task agree before any training, and whether to record another. */
+export interface TaskAgreement {
+  takes: ComparedTake[];
+  enough: boolean;
+  advice: string;
+  /** Why nothing can be trained from these takes together. */
+  problem?: Failure | null;
+}
+
 export interface Trajectory {
   t_s: number[];
   joints_deg: number[][];

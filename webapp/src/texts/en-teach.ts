@@ -28,9 +28,11 @@ export const teach = {
   noTakes: "No take yet. Show the arm the motion two or three times.",
   take: (number: number) => `Take ${number}`,
   states,
-  openTake: (number: number, state: string) => `Take ${number}, ${state}`,
+  openTake: (number: number, state: string, mark: string | undefined) =>
+    `Take ${number}, ${state}${mark ? `, ${mark}` : ""}`,
   keptCount: (kept: number) => `${kept} of 3 takes kept`,
-  keptEnough: (kept: number) => `${kept} takes kept: enough to train`,
+  keptEnough: (kept: number) => `${kept} takes kept`,
+  comparing: "Comparing the takes…",
   discardedTakes: (count: number) => `Discarded takes (${count})`,
 
   record: "Record a take",
@@ -41,9 +43,6 @@ export const teach = {
   trainAgain: "Train again",
   trainStarting: "Starting the training…",
   trainNeeds: "Keep at least one take first.",
-  trainOne:
-    "With one take the arm copies your motion exactly, shakes included. It cannot learn which parts matter. Three takes are better.",
-  trainTwo: "Two takes work. A third makes the motion smoother and safer to change.",
   toTraining: "See the training",
   toResult: "See the result",
   result: "Trained motion",

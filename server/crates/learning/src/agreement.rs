@@ -4,8 +4,11 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Demonstration, Path,
-    alignment::{Aligned, barycentre::mean_of},
+    Demonstration, Error, Path,
+    alignment::{
+        Aligned,
+        barycentre::{align_to_mean, mean_of},
+    },
     demonstration::tool_path_mm,
     statistics::median,
 };
@@ -21,6 +24,8 @@ const ENOUGH_MM: f64 = 15.0;
 const ENOUGH_DEG: f64 = 4.0;
 /// Fewer takes than this are never enough.
 const LEAST_TAKES: usize = 3;
+/// Rate at which demonstrations are compared that nothing is learned from yet, Hz.
+const RATE_HZ: f64 = 50.0;
 
 /// The agreement of all demonstrations.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,6 +63,51 @@ pub struct Place {
     pub joint: usize,
     /// By how much the joint is off there, degrees.
     pub off_deg: f64,
+}
+
+impl Place {
+    /// Where on the motion, in a worker's words.
+    pub fn words(&self) -> &'static str {
+        match self.phase {
+            phase if phase < 0.1 => "at the beginning",
+            phase if phase < 0.4 => "in the first half",
+            phase if phase <= 0.6 => "around the middle",
+            phase if phase <= 0.9 => "in the second half",
+            _ => "at the end",
+        }
+    }
+}
+
+/// The agreement of demonstrations before any training; of none at all, the advice
+/// to begin.
+///
+/// `step` is called after each warping with (done, total) and may end the work.
+/// Errors: [`Error::DifferentJointCounts`], and [`Error::DifferentMotions`] when
+/// they do not show the same motion.
+pub fn of(
+    demonstrations: &[Demonstration],
+    step: &mut dyn FnMut(usize, usize) -> Result<(), Error>,
+) -> Result<Agreement, Error> {
+    let Some(first) = demonstrations.first() else {
+        return Ok(Agreement {
+            takes: Vec::new(),
+            enough: false,
+            advice: "Show the motion three times. Record the first take.".into(),
+        });
+    };
+    if let Some(other) = demonstrations
+        .iter()
+        .find(|demonstration| demonstration.joints() != first.joints())
+    {
+        return Err(Error::DifferentJointCounts {
+            name: other.name().to_string(),
+            other: first.name().to_string(),
+            expected: first.joints(),
+            found: other.joints(),
+        });
+    }
+    let aligned = align_to_mean(demonstrations, RATE_HZ, step)?;
+    Ok(agreement(demonstrations, &aligned))
 }
 
 /// Compares each aligned demonstration with the mean of the others.
@@ -157,14 +207,15 @@ fn advice(takes: &[TakeAgreement], enough: bool) -> String {
     }
     if let Some(take) = takes.iter().find(|take| take.differs) {
         return format!(
-            "{} differs from the others, most at joint {} about {:.0} % of the way. Discard it or record one more.",
+            "{} differs from the others, most {} at joint {}. Discard it or record one more.",
             take.name,
-            take.worst.joint,
-            100.0 * take.worst.phase
+            take.worst.words(),
+            take.worst.joint
         );
     }
     match takes.len() {
-        1 => "Record two more takes: from one alone nobody can tell what matters.".into(),
+        1 => "Record one more take, and then a third: from one alone nobody can tell what matters."
+            .into(),
         2 => "Record one more take.".into(),
         _ => {
             let farthest = takes
@@ -172,10 +223,10 @@ fn advice(takes: &[TakeAgreement], enough: bool) -> String {
                 .max_by(|a, b| size(a).total_cmp(&size(b)))
                 .unwrap_or(&takes[0]);
             format!(
-                "The takes differ from each other, most {} at joint {} about {:.0} % of the way. Record one more.",
+                "The takes differ from each other, most {} {} at joint {}. Record one more.",
                 farthest.name,
-                farthest.worst.joint,
-                100.0 * farthest.worst.phase
+                farthest.worst.words(),
+                farthest.worst.joint
             )
         }
     }
@@ -184,7 +235,6 @@ fn advice(takes: &[TakeAgreement], enough: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::alignment::barycentre::align_to_mean;
 
     /// Joint 1 turns by 40 deg; joint 5 nods by `nod_deg` in the middle.
     fn take(name: &str, nod_deg: f64) -> Demonstration {
@@ -200,19 +250,46 @@ mod tests {
         Demonstration::new(name.into(), times, joints, None).unwrap()
     }
 
-    fn of(takes: &[Demonstration]) -> Agreement {
-        agreement(
-            takes,
-            &align_to_mean(takes, 100.0, &mut |_, _| Ok(())).unwrap(),
-        )
+    fn compared(takes: &[Demonstration]) -> Agreement {
+        of(takes, &mut |_, _| Ok(())).unwrap()
     }
 
     #[test]
     fn takes_that_agree_are_enough_from_three_on() {
         let takes = [take("a", 0.0), take("b", 0.5), take("c", -0.5)];
-        assert!(of(&takes).enough);
-        assert!(!of(&takes[..2]).enough);
-        assert!(of(&takes[..1]).advice.contains("two more"));
+        assert!(compared(&takes).enough);
+        for fewer in [&takes[..2], &takes[..1]] {
+            let agreement = compared(fewer);
+            assert!(!agreement.enough);
+            assert!(agreement.advice.contains("one more"), "{agreement:?}");
+        }
+        let none = compared(&[]);
+        assert!(!none.enough && none.takes.is_empty());
+        assert!(none.advice.contains("first take"), "{none:?}");
+    }
+
+    #[test]
+    fn another_motion_or_another_arm_is_an_error_and_the_work_can_be_ended() {
+        let lifting = |u: f64| vec![5.0, 10.0 + 60.0 * u, 20.0 - 50.0 * u, 0.0, -45.0, 0.0];
+        let times: Vec<f64> = (0..201).map(|i| 0.02 * f64::from(i)).collect();
+        let joints = times.iter().map(|t| lifting(t / 4.0)).collect();
+        let lift = Demonstration::new("lift".into(), times.clone(), joints, None).unwrap();
+        let swings = [take("a", 0.0), take("b", 0.5)];
+        let mixed = [swings[0].clone(), swings[1].clone(), lift];
+        assert_eq!(
+            of(&mixed, &mut |_, _| Ok(())),
+            Err(Error::DifferentMotions {
+                groups: [vec!["a".into(), "b".into()], vec!["lift".into()]],
+            })
+        );
+        let single = times.iter().map(|t| vec![*t]).collect();
+        let single = Demonstration::new("single".into(), times, single, None).unwrap();
+        assert!(matches!(
+            of(&[swings[0].clone(), single], &mut |_, _| Ok(())),
+            Err(Error::DifferentJointCounts { .. })
+        ));
+        let ended = of(&swings, &mut |_, _| Err(Error::Cancelled));
+        assert_eq!(ended, Err(Error::Cancelled));
     }
 
     #[test]
@@ -223,7 +300,7 @@ mod tests {
             take("odd", 30.0),
             take("c", -0.5),
         ];
-        let agreement = of(&takes);
+        let agreement = compared(&takes);
         assert!(!agreement.enough);
         let odd = &agreement.takes[2];
         assert!(odd.differs && agreement.takes.iter().filter(|t| t.differs).count() == 1);
@@ -231,7 +308,8 @@ mod tests {
         assert!((odd.worst.phase - 0.5).abs() < 0.1, "{}", odd.worst.phase);
         assert!((odd.worst.off_deg - 30.0).abs() < 3.0);
         assert!(
-            agreement.advice.starts_with("odd differs"),
+            agreement.advice.starts_with("odd differs")
+                && agreement.advice.contains("around the middle at joint 5"),
             "{}",
             agreement.advice
         );

@@ -144,6 +144,34 @@ async fn a_trained_model_is_shown_planned_and_refused_without_an_arm() {
     assert_eq!(plan["goal_deg"], model["goal_deg"]);
     assert!(plan["duration_s"].as_f64().unwrap() > 1.0);
     assert_eq!(plan["joints_deg"].as_array().unwrap().len(), 6);
+    let codes = |plan: &Value| -> Vec<Value> {
+        let details = plan["warning_details"].as_array().unwrap();
+        assert_eq!(details.len(), plan["warnings"].as_array().unwrap().len());
+        details
+            .iter()
+            .map(|detail| detail["code"].clone())
+            .collect()
+    };
+    assert!(codes(&plan).contains(&json!("no_arm")));
+    assert!(!codes(&plan).contains(&json!("far_from_taught")));
+    let mut goal_deg = model["goal_deg"].clone();
+    goal_deg[3] = json!(goal_deg[3].as_f64().unwrap() + 35.0);
+    let outside = json!({"model_id": id, "goal": {"joints_deg": goal_deg}});
+    let outside = api.post("/api/v1/plans", outside).await.ok(200);
+    let far = codes(&outside)
+        .iter()
+        .position(|code| code == "far_from_taught");
+    let (words, detail) = (
+        &outside["warnings"][far.unwrap()],
+        &outside["warning_details"][far.unwrap()],
+    );
+    assert!(words.as_str().unwrap().contains("joint 4"), "{words}");
+    assert_eq!(
+        (&detail["field"], &detail["joint"]),
+        (&json!("goal"), &json!(4))
+    );
+    assert!((detail["off_deg"].as_f64().unwrap() - 35.0).abs() < 1e-6);
+
     let far = json!({"model_id": id, "goal": {"joints_deg": [0, 0, 0, 0, 0, 400]}});
     let problem = api
         .post("/api/v1/plans", far)

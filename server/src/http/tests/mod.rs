@@ -1,6 +1,7 @@
 //! Every route as a client sees it, without sockets and without an arm.
 
 mod access;
+mod agreement;
 mod assets;
 mod demonstrations;
 mod faults;

@@ -7,8 +7,10 @@ import { Figures } from "../../components/figures";
 import { LoadNotice, Notice } from "../../components/notice";
 import { duration, fixed } from "../../format/numbers";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
+import { counts, useAgreement } from "../../state/agreement";
 import { useLoad } from "../../state/hooks";
 import { t } from "../../texts";
+import { TakesAdvice } from "./takes-advice";
 
 export function ReviewView({ take }: { take: Demonstration }) {
   const trajectory = useSignal<Trajectory | null>(null);
@@ -23,6 +25,7 @@ export function ReviewView({ take }: { take: Demonstration }) {
   return (
     <>
       <StateNotice take={take} />
+      {counts(take) && <Advice take={take} />}
       {take.problem && (
         <Notice tone="bad" icon="alert">
           <p>{take.problem}</p>
@@ -46,6 +49,11 @@ export function ReviewView({ take }: { take: Demonstration }) {
       />
     </>
   );
+}
+
+/** What this take adds to the others. */
+function Advice({ take }: { take: Demonstration }) {
+  return <TakesAdvice compared={useAgreement(take.task_id)} />;
 }
 
 function StateNotice({ take }: { take: Demonstration }) {

@@ -1,5 +1,5 @@
 // The takes of a task with a small picture, length and state each; discarded ones folded away.
-import type { Demonstration, DemonstrationState } from "../../api/types";
+import type { Demonstration, DemonstrationState, TaskAgreement, Verdict } from "../../api/types";
 import { Icon, type IconName } from "../../components/icon";
 import { RowLink } from "../../components/row-link";
 import { duration } from "../../format/numbers";
@@ -15,13 +15,28 @@ export const TAKE_LOOKS: Record<DemonstrationState, { icon: IconName; tone: stri
   interrupted: { icon: "alert", tone: "soft" },
 };
 
-export function TakeList({ task, takes }: { task: string; takes: Demonstration[] }) {
+/** What is said of a take beside the others. */
+const MARKS: Record<Verdict, { icon: IconName; tone: string }> = {
+  agrees: { icon: "check", tone: "good" },
+  differs: { icon: "alert", tone: "soft" },
+  other_motion: { icon: "alert", tone: "bad" },
+  unusable: { icon: "alert", tone: "bad" },
+  open: { icon: "info", tone: "stale" },
+};
+
+interface TakesProps {
+  task: string;
+  takes: Demonstration[];
+  agreement: TaskAgreement | null;
+}
+
+export function TakeList({ task, takes, agreement }: TakesProps) {
   const byTake = [...takes].sort((left, right) => left.take - right.take);
   const discarded = byTake.filter((take) => take.state === "discarded");
   const rows = (list: Demonstration[]) => (
     <ul class="rows">
       {list.map((take) => (
-        <TakeRow key={take.id} task={task} take={take} />
+        <TakeRow key={take.id} {...{ task, take, agreement }} />
       ))}
     </ul>
   );
@@ -38,20 +53,39 @@ export function TakeList({ task, takes }: { task: string; takes: Demonstration[]
   );
 }
 
-function TakeRow({ task, take }: { task: string; take: Demonstration }) {
+interface TakeProps {
+  task: string;
+  take: Demonstration;
+  agreement: TaskAgreement | null;
+}
+
+function TakeRow({ task, take, agreement }: TakeProps) {
   const state = t.teach.states[take.state];
   const look = TAKE_LOOKS[take.state];
   const closed = take.state !== "preparing" && take.state !== "recording";
+  const compared = agreement?.takes.find((one) => one.id === take.id);
+  const words = compared?.words ?? undefined;
   return (
-    <RowLink to={{ page: "take", task, take: take.id }} label={t.teach.openTake(take.take, state)}>
+    <RowLink
+      to={{ page: "take", task, take: take.id }}
+      label={t.teach.openTake(take.take, state, words)}
+    >
       {closed && <TakeSparkline take={take.id} />}
       <span class="row-name">
         <strong>
           {t.teach.take(take.take)} · {duration(take.duration_s)}
         </strong>
-        <span class={`state tone-${look.tone}`}>
-          <Icon name={look.icon} />
-          {state}
+        <span class="row-states">
+          <span class={`state tone-${look.tone}`}>
+            <Icon name={look.icon} />
+            {state}
+          </span>
+          {compared && words && (
+            <span class={`state tone-${MARKS[compared.verdict].tone}`}>
+              <Icon name={MARKS[compared.verdict].icon} />
+              {words}
+            </span>
+          )}
         </span>
         {take.problem && <span class="row-problem">{take.problem}</span>}
       </span>

@@ -1,23 +1,26 @@
 // One task: its takes, its trained motion, and the next step put forward.
 import { useSignal } from "@preact/signals";
-import type { Demonstration, Model } from "../../api/types";
+import type { Demonstration, Model, TaskAgreement } from "../../api/types";
 import { Button, ButtonLink } from "../../components/button";
-import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
+import { LoadNotice, ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { RowLink } from "../../components/row-link";
 import { trainModel } from "../../api/endpoints";
+import { useAgreement } from "../../state/agreement";
 import { demonstrations, jobs, loadAllOf, models, readyModel, tasks } from "../../state/entities";
 import { useAction, useLoad, type Action } from "../../state/hooks";
 import { go } from "../../state/navigation";
 import { ENOUGH_TAKES, nextStep, type NextStep } from "../../state/next-step";
 import { t } from "../../texts";
 import { TakeList } from "./take-list";
+import { TakesAdvice } from "./takes-advice";
 
 export function TaskPage({ task }: { task: string }) {
   const load = useLoad(() => loadAllOf(task), task);
   const takes = demonstrations.where((take) => take.task_id === task);
   const trained = models.where((model) => model.task_id === task);
   const kept = takes.filter((take) => take.state === "kept").length;
+  const compared = useAgreement(task);
   const train = useAction(async () => {
     const answer = await trainModel(task);
     jobs.put(answer.job);
@@ -34,7 +37,11 @@ export function TaskPage({ task }: { task: string }) {
       title={known?.name ?? t.app.loading}
       back={{ page: "teach" }}
       actions={
-        complete.value ? <Actions {...{ task, step, kept, train }} /> : <div class="later" />
+        complete.value ? (
+          <Actions {...{ task, step, kept, train, agreement: compared.agreement }} />
+        ) : (
+          <div class="later" />
+        )
       }
     >
       <LoadNotice load={load} empty={known === undefined} />
@@ -43,8 +50,9 @@ export function TaskPage({ task }: { task: string }) {
         <>
           <Result task={task} model={readyModel(task)} />
           <h2>{t.teach.takes}</h2>
-          <Advice takes={takes} kept={kept} />
-          <TakeList task={task} takes={takes} />
+          <Kept takes={takes} kept={kept} />
+          {takes.length > 0 && <TakesAdvice compared={compared} />}
+          <TakeList task={task} takes={takes} agreement={compared.agreement} />
           <ButtonLink to={{ page: "more", task }} look="quiet" icon="dots">
             {t.teach.more}
           </ButtonLink>
@@ -68,23 +76,9 @@ function Result({ task, model }: { task: string; model: Model | undefined }) {
   );
 }
 
-function Advice({ takes, kept }: { takes: Demonstration[]; kept: number }) {
+function Kept({ takes, kept }: { takes: Demonstration[]; kept: number }) {
   if (takes.length === 0) return <p>{t.teach.noTakes}</p>;
-  return (
-    <>
-      <p>{kept >= ENOUGH_TAKES ? t.teach.keptEnough(kept) : t.teach.keptCount(kept)}</p>
-      {kept === 1 && (
-        <Notice tone="plain" icon="info">
-          {t.teach.trainOne}
-        </Notice>
-      )}
-      {kept === 2 && (
-        <Notice tone="plain" icon="info">
-          {t.teach.trainTwo}
-        </Notice>
-      )}
-    </>
-  );
+  return <p>{kept >= ENOUGH_TAKES ? t.teach.keptEnough(kept) : t.teach.keptCount(kept)}</p>;
 }
 
 interface ActionsProps {
@@ -92,9 +86,14 @@ interface ActionsProps {
   step: NextStep;
   kept: number;
   train: Action;
+  agreement: TaskAgreement | null;
 }
 
-function Actions({ task, step, kept, train }: ActionsProps) {
+function Actions({ task, step, kept, train, agreement }: ActionsProps) {
+  // Only the looks follow the advice: a button must not move away under a finger.
+  const open = agreement?.enough === false;
+  // Takes that can't be trained together don't get better by one more.
+  const another = open && !agreement.problem;
   switch (step.step) {
     case "recording":
       return (
@@ -126,8 +125,8 @@ function Actions({ task, step, kept, train }: ActionsProps) {
     case "train":
       return (
         <>
-          <RecordLink task={task} look="secondary" another />
-          <TrainButton train={train} look="primary" kept={kept} />
+          <RecordLink task={task} look={another ? "primary" : "secondary"} another />
+          <TrainButton train={train} look={open ? "secondary" : "primary"} kept={kept} />
         </>
       );
     case "record":

@@ -1,0 +1,58 @@
+//! The latest few answers, by the demonstrations that were compared.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tokio::sync::OnceCell;
+
+use super::TaskAgreement;
+use crate::ids::DemonstrationId;
+
+/// How many sets of demonstrations are remembered.
+const REMEMBERED: usize = 64;
+
+/// An answer that is there or is being found, once for all who ask at the same time.
+pub(super) type Answer = Arc<OnceCell<TaskAgreement>>;
+
+/// What was compared lately.
+#[derive(Default)]
+pub struct Agreements(Mutex<VecDeque<(Vec<DemonstrationId>, Answer)>>);
+
+impl Agreements {
+    /// The answer about these demonstrations; an empty one when they are new.
+    pub(super) fn about(&self, ids: Vec<DemonstrationId>) -> Answer {
+        // The list is valid after every single operation, so a panic elsewhere can't spoil it.
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = known.iter().position(|(compared, _)| *compared == ids);
+        let entry = place
+            .and_then(|place| known.remove(place))
+            .unwrap_or_else(|| (ids, Answer::default()));
+        let answer = Arc::clone(&entry.1);
+        known.push_back(entry);
+        if known.len() > REMEMBERED {
+            known.pop_front();
+        }
+        answer
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_demonstrations_share_an_answer_and_only_the_latest_are_remembered() {
+        let known = Agreements::default();
+        let ids = vec![DemonstrationId::new(), DemonstrationId::new()];
+        let answer = known.about(ids.clone());
+        assert!(!Arc::ptr_eq(&answer, &known.about(vec![ids[0]])));
+        for _ in 0..2 * REMEMBERED {
+            known.about(vec![DemonstrationId::new()]);
+            assert!(Arc::ptr_eq(&answer, &known.about(ids.clone())));
+        }
+        for _ in 0..REMEMBERED {
+            known.about(vec![DemonstrationId::new()]);
+        }
+        assert!(!Arc::ptr_eq(&answer, &known.about(ids)));
+    }
+}
