@@ -10,6 +10,7 @@ mod em;
 mod expectation;
 mod gaussian;
 mod kmeans;
+mod shared;
 
 use serde::{Deserialize, Serialize};
 

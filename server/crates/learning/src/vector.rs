@@ -4,6 +4,11 @@
 /// Values that each arithmetic step takes together.
 pub const LANES: usize = 8;
 
+/// A value that begins at a cache line, so that no vector in it straddles two.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(64))]
+pub struct Aligned<T>(pub T);
+
 /// A computation that is worth vectors. An operation and not a closure, so that it
 /// is compiled for the vectors it is dispatched to; `run` and all it calls must be
 /// `#[inline(always)]`.
@@ -39,6 +44,24 @@ impl<K: Kernel> pulp::NullaryFnOnce for Fused<K> {
 pub fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
+
+/// Repeats a block for each dimension below `$dimensions` (at most 8), the number in
+/// `$i` a constant each time, so that loops up to it are unrolled.
+macro_rules! for_each_dimension {
+    ($dimensions:expr, $i:ident => $body:block) => {
+        for_each_dimension!(@ $dimensions, $i, $body, 0 1 2 3 4 5 6 7)
+    };
+    (@ $dimensions:expr, $i:ident, $body:block, $($number:literal)*) => {
+        $(
+            if $number < $dimensions {
+                #[expect(non_upper_case_globals, reason = "it stands for a loop variable")]
+                const $i: usize = $number;
+                $body
+            }
+        )*
+    };
+}
+pub(crate) use for_each_dimension;
 
 /// A value for each lane. `std::array::from_fn` is not inlined reliably, and a
 /// function of its own would be compiled for the plainest processor.

@@ -101,7 +101,12 @@ fn a_goal_too_far_for_the_taught_time_takes_longer_on_the_same_path() {
     .unwrap();
     assert!(planned.slowed_by > 1.2 * near.slowed_by);
     assert!(planned.plan.duration_s() > 1.2 * near.plan.duration_s());
-    assert!(planned.warnings.iter().any(|w| w.to_string().contains("slower")));
+    assert!(
+        planned
+            .warnings
+            .iter()
+            .any(|w| w.to_string().contains("slower"))
+    );
     assert_within(&planned.plan, &limits());
     assert!(off_the_path(&brisk, &planned) < 0.01);
 }
@@ -217,7 +222,12 @@ fn a_wrist_ends_at_the_equivalent_angle_of_its_own_turn() {
             "{taught} {start}: {:?}",
             planned.goal
         );
-        assert!(planned.warnings.iter().any(|w| w.to_string().contains("whole turn")));
+        assert!(
+            planned
+                .warnings
+                .iter()
+                .any(|w| w.to_string().contains("whole turn"))
+        );
         assert_within(&planned.plan, &limits());
         // It takes the short way and does not unwind.
         let between = f64::min(start, goal) - 0.01..=f64::max(start, goal) + 0.01;
@@ -274,13 +284,23 @@ fn a_typed_goal_is_taken_at_the_turn_of_the_start_as_the_taught_one_is() {
     let typed = at(&[5.0, 0.0, 0.0, 0.0, 0.0, -10.0]);
     let planned = plan(&model, &typed, Some(present), &limits()).unwrap();
     assert!((planned.goal.0[5] - 200.0).abs() < 1e-9);
-    assert!(planned.warnings.iter().any(|w| w.to_string().contains("whole turn")));
+    assert!(
+        planned
+            .warnings
+            .iter()
+            .any(|w| w.to_string().contains("whole turn"))
+    );
 
     // A goal typed at another turn is meant.
     let other = at(&[0.0, 0.0, 0.0, 0.0, 0.0, 360.0]);
     let planned = plan(&model, &other, Some(present), &limits()).unwrap();
     assert!((planned.goal.0[5] - 210.0).abs() < 1e-9);
-    assert!(!planned.warnings.iter().any(|w| w.to_string().contains("turn")));
+    assert!(
+        !planned
+            .warnings
+            .iter()
+            .any(|w| w.to_string().contains("turn"))
+    );
 }
 
 #[test]

@@ -13,6 +13,8 @@ const TOLERANCE: f64 = 1e-3;
 /// Added to the diagonal of each covariance, so that a joint that never moves
 /// leaves it positive definite.
 const REGULARISATION: f64 = 1e-6;
+/// A component with less than this share of one sample has lost all.
+const LOST: f64 = 1e-9;
 
 /// Fits from the clusters `labels` (one of 0..k for each sample).
 pub fn maximise<const D: usize>(data: &Blocks<D>, labels: &[u16], k: usize) -> Result<Fit, Error> {
@@ -49,7 +51,12 @@ pub fn maximise<const D: usize>(data: &Blocks<D>, labels: &[u16], k: usize) -> R
 
 /// The M step: mean and covariance from the moments of each component.
 fn components_of<const D: usize>(moments: &[Moments<D>], n: usize) -> Vec<Component<D>> {
-    // A component that lost all its samples must not divide by zero.
+    // A component that lost all its samples must not divide by zero, nor by what
+    // rounding left of them.
+    let moments: Vec<Moments<D>> = moments
+        .iter()
+        .map(|m| if m.zeroth > LOST { *m } else { Moments::ZERO })
+        .collect();
     let mass = |m: &Moments<D>| m.zeroth + 10.0 * f64::EPSILON;
     let total: f64 = moments.iter().map(|m| mass(m) / n as f64).sum();
     moments

@@ -4,7 +4,7 @@ use super::{Mixture, blocks::Moments};
 use crate::{
     Error,
     rng::Stream,
-    vector::{LANES, lanes, multiply_add},
+    vector::{LANES, for_each_dimension, lanes, multiply_add},
 };
 
 /// One component of a mixture.
@@ -68,7 +68,7 @@ impl<const D: usize> Gaussian<D> {
         samples: &[[f64; LANES]; D],
     ) -> [f64; LANES] {
         let mut square = [0.0; LANES];
-        for i in 0..D {
+        for_each_dimension!(D, i => {
             let mut y = [-self.whitened_mean[i]; LANES];
             for j in 0..=i {
                 let w = self.whitening[i][j];
@@ -79,7 +79,7 @@ impl<const D: usize> Gaussian<D> {
             for lane in 0..LANES {
                 square[lane] = multiply_add::<FUSED>(y[lane], y[lane], square[lane]);
             }
-        }
+        });
         square
     }
 

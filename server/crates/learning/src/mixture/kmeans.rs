@@ -124,7 +124,7 @@ impl<const D: usize> Kernel for Assign<'_, D> {
                     clusters.counts[label] += moments.zeroth;
                     add(&mut clusters.sums[label], moments);
                 } else {
-                    let block = &self.data.samples()[first + lane];
+                    let block = &self.data.samples()[first + lane].0;
                     let nearest = Nearest::of::<FUSED, D>(block, self.centres);
                     for (lane, label) in labels.iter_mut().enumerate() {
                         let c = nearest.label[lane] as usize;
@@ -286,7 +286,7 @@ impl<const D: usize> Kernel for Nearer<'_, D> {
         let mut sum = [0.0; LANES];
         let blocks = self.data.samples().iter().zip(self.nearest);
         for (index, (block, nearest)) in blocks.enumerate() {
-            let mut square = squares::<FUSED, D>(block, self.centre);
+            let mut square = squares::<FUSED, D>(&block.0, self.centre);
             for lane in 0..LANES {
                 let old = nearest[lane];
                 square[lane] = if square[lane] < old {

@@ -10,10 +10,10 @@ use crate::{
 
 /// Samples are drawn until the standard error of the distance is at most this share
 /// of it, ...
-pub const ACCURACY: f64 = 0.01;
+pub const ACCURACY: f64 = 0.02;
 /// ... [`BATCH`] from each mixture at a time, but never more than this from each.
 const MOST_SAMPLES: usize = 100_000;
-const BATCH: usize = 512;
+const BATCH: usize = 256;
 
 /// Square root of the Jensen-Shannon divergence in nats: 0 for equal mixtures,
 /// sqrt(ln 2) = 0.8326 for mixtures without common ground.
