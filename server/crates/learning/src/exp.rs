@@ -3,7 +3,7 @@
 
 use crate::vector::{lanes, multiply_add};
 
-/// exp of each lane. Relative error below 4e-16 for arguments in [-708, 709];
+/// exp of each lane. Relative error below 8e-16 for arguments in [-708, 709];
 /// below -708 the result is exactly 0 (the true value is under 3.4e-308).
 #[inline(always)]
 pub fn exp_lanes<const FUSED: bool, const W: usize>(x: [f64; W]) -> [f64; W] {
@@ -62,8 +62,8 @@ mod tests {
 
     #[test]
     fn agrees_with_the_standard_library() {
-        assert!(worst_error::<false>() < 4e-16);
-        assert!(worst_error::<true>() < 4e-16);
+        assert!(worst_error::<false>() < 8e-16);
+        assert!(worst_error::<true>() < 8e-16);
     }
 
     #[test]

@@ -42,6 +42,7 @@ mod exp;
 pub mod metrics;
 pub mod mixture;
 pub mod model;
+mod nearest;
 pub mod optimisation;
 mod params;
 mod path;

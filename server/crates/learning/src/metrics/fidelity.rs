@@ -4,7 +4,9 @@
 use motion::filter::savitzky_golay;
 use serde::{Deserialize, Serialize};
 
-use crate::{Demonstration, demonstration::tool_path_mm, path::Path, timeline::interpolate};
+use crate::{
+    Demonstration, demonstration::tool_path_mm, nearest::Curve, path::Path, timeline::interpolate,
+};
 
 /// Half window of the smoothing before derivatives are taken, at 10 ms.
 const SMOOTHING_HALF: usize = 10;
@@ -64,34 +66,32 @@ pub fn fidelity(
     reproduction_deg: &Path,
     dt_s: f64,
 ) -> Option<Fidelity> {
-    let path = tool_path_mm(reproduction_deg)?;
-    let shown = demonstrations
+    let path = Tool::path(&tool_path_mm(reproduction_deg)?);
+    let shown: Vec<Tool> = demonstrations
         .iter()
-        .map(Demonstration::tool_path_mm)
-        .collect::<Option<Vec<_>>>()?;
+        .map(|d| Some(Tool::path(&d.tool_path_mm()?)))
+        .collect::<Option<_>>()?;
     let missed: Vec<(f64, f64)> = shown.iter().map(|d| mean_and_max(d, &path)).collect();
-    let off: Vec<f64> = path
-        .iter()
-        .map(|p| {
-            shown
-                .iter()
-                .map(|d| nearest(p, d))
-                .fold(f64::INFINITY, f64::min)
-        })
-        .collect();
+    let mut off = vec![f64::INFINITY; path.points.len()];
+    for tool in &shown {
+        for (off, distance) in off.iter_mut().zip(tool.curve.distances(&path.points)) {
+            *off = off.min(distance);
+        }
+    }
     let mutual = mutual(&shown);
     let missed_mean_mm = mean(missed.iter().map(|m| m.0));
-    let ends = |pick: fn(&[[f64; 3]]) -> [f64; 3]| -> (Vec<f64>, f64) {
-        let points: Vec<[f64; 3]> = shown.iter().map(|d| pick(d)).collect();
-        let from_path = points.iter().map(|p| distance(p, &pick(&path))).collect();
+    let ends = |pick: fn(&Path) -> &[f64]| -> (Vec<f64>, f64) {
+        let points: Vec<&[f64]> = shown.iter().map(|d| pick(&d.points)).collect();
+        let reached = pick(&path.points);
+        let from_path = points.iter().map(|p| distance(p, reached)).collect();
         let spread = points
             .iter()
             .flat_map(|p| points.iter().map(move |q| distance(p, q)))
             .fold(0.0, f64::max);
         (from_path, spread)
     };
-    let (start_mm, start_spread_mm) = ends(|d| d[0]);
-    let (end_mm, end_spread_mm) = ends(|d| d[d.len() - 1]);
+    let (start_mm, start_spread_mm) = ends(|d| d.row(0));
+    let (end_mm, end_spread_mm) = ends(Path::last);
     let mut shown_kinetics = Kinetics::default();
     for demonstration in demonstrations {
         let grid = on_grid(demonstration.times_s(), demonstration.joints_deg());
@@ -121,7 +121,7 @@ pub fn fidelity(
 
 /// For each demonstration the mean of d(p, this one) over the points of the
 /// others; the mean of these, and the overall maximum.
-fn mutual(shown: &[Vec<[f64; 3]>]) -> Option<(f64, f64)> {
+fn mutual(shown: &[Tool]) -> Option<(f64, f64)> {
     if shown.len() < 2 {
         return None;
     }
@@ -131,8 +131,8 @@ fn mutual(shown: &[Vec<[f64; 3]>]) -> Option<(f64, f64)> {
         for (j, other) in shown.iter().enumerate() {
             if i != j {
                 let (other_mean, other_max) = mean_and_max(other, curve);
-                sum += other_mean * other.len() as f64;
-                count += other.len();
+                sum += other_mean * other.points.len() as f64;
+                count += other.points.len();
                 max = f64::max(max, other_max);
             }
         }
@@ -141,31 +141,34 @@ fn mutual(shown: &[Vec<[f64; 3]>]) -> Option<(f64, f64)> {
     Some((mean(means.into_iter()), max))
 }
 
-fn mean_and_max(points: &[[f64; 3]], curve: &[[f64; 3]]) -> (f64, f64) {
-    let (mut sum, mut max) = (0.0, 0.0);
-    for p in points {
-        let d = nearest(p, curve);
-        sum += d;
-        max = f64::max(max, d);
+fn mean_and_max(points: &Tool, curve: &Tool) -> (f64, f64) {
+    let distances = curve.curve.distances(&points.points);
+    let max = distances.iter().copied().fold(0.0, f64::max);
+    (mean(distances.into_iter()), max)
+}
+
+/// A path of the tool, prepared for asking how far others are from it.
+struct Tool {
+    points: Path,
+    curve: Curve,
+}
+
+impl Tool {
+    fn path(positions_mm: &[[f64; 3]]) -> Tool {
+        let points = Path::from_rows(3, positions_mm);
+        Tool {
+            curve: Curve::new(&points),
+            points,
+        }
     }
-    (sum / points.len() as f64, max)
 }
 
-fn nearest(p: &[f64; 3], curve: &[[f64; 3]]) -> f64 {
-    curve
-        .iter()
-        .map(|q| squared(p, q))
-        .fold(f64::INFINITY, f64::min)
+fn distance(p: &[f64], q: &[f64]) -> f64 {
+    p.iter()
+        .zip(q)
+        .map(|(a, b)| (a - b) * (a - b))
+        .sum::<f64>()
         .sqrt()
-}
-
-fn squared(p: &[f64; 3], q: &[f64; 3]) -> f64 {
-    let [x, y, z] = [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
-    x * x + y * y + z * z
-}
-
-fn distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
-    squared(p, q).sqrt()
 }
 
 fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {

@@ -20,7 +20,7 @@ use super::{
     gaussian::Gaussian,
     shared::{Shared, exponentials, take_shares},
 };
-use crate::vector::{self, Aligned, Kernel, LANES, lanes, multiply_add};
+use crate::vector::{self, Aligned, Kernel, LANES, multiply_add};
 
 /// exp(-16.2) = 1e-7, four orders below what EM takes for converged.
 const NEGLIGIBLE: f64 = 16.2;
@@ -202,12 +202,15 @@ impl<const D: usize> Step<'_, D> {
         moments: &mut [Moments<D>],
     ) -> f64 {
         let listed = self.shared.listed(strongest);
-        for at in listed.clone() {
-            let block = self.shared.blocks[at] as usize;
-            let log = self.evaluate::<FUSED>(strongest, block);
-            self.shared.floor[block] = vector::reduce(log, |a, b| if a < b { a } else { b });
-            self.shared.max[block] = Aligned(log);
-            self.shared.own[block] = Aligned(log);
+        for at in listed.clone().step_by(2) {
+            let blocks = [at, (at + 1).min(listed.end - 1)].map(|at| self.shared.blocks[at]);
+            let logs = self.evaluate::<FUSED>(strongest, blocks);
+            for (&block, log) in blocks.iter().zip(logs) {
+                let block = block as usize;
+                self.shared.floor[block] = vector::reduce(log, |a, b| if a < b { a } else { b });
+                self.shared.max[block] = Aligned(log);
+                self.shared.own[block] = Aligned(log);
+            }
         }
         self.shared.begin_pairs();
         for c in 0..self.gaussians.len() {
@@ -215,17 +218,17 @@ impl<const D: usize> Step<'_, D> {
                 continue;
             }
             let pair = self.list_pair(c, listed.clone());
-            for at in pair {
-                let block = self.shared.pair_blocks[at] as usize;
-                let log = self.evaluate::<FUSED>(c, block);
-                self.shared.logs[at] = Aligned(log);
-                let max = &mut self.shared.max[block].0;
-                for lane in 0..LANES {
-                    max[lane] = if log[lane] > max[lane] {
-                        log[lane]
-                    } else {
-                        max[lane]
-                    };
+            for at in pair.clone().step_by(2) {
+                let places = [at, (at + 1).min(pair.end - 1)];
+                let blocks = places.map(|at| self.shared.pair_blocks[at]);
+                let logs = self.evaluate::<FUSED>(c, blocks);
+                for i in 0..2 {
+                    self.shared.logs[places[i]] = Aligned(logs[i]);
+                    let max = &mut self.shared.max[blocks[i] as usize].0;
+                    for lane in 0..LANES {
+                        let log = logs[i][lane];
+                        max[lane] = if log > max[lane] { log } else { max[lane] };
+                    }
                 }
             }
         }
@@ -257,17 +260,25 @@ impl<const D: usize> Step<'_, D> {
         })
     }
 
-    /// Log densities of one component in one block; its bounds there become exact.
+    /// Log densities of one component in two blocks (which may be the same); its
+    /// bounds there become exact.
     #[inline(always)]
-    fn evaluate<const FUSED: bool>(&mut self, c: usize, block: usize) -> [f64; LANES] {
+    fn evaluate<const FUSED: bool>(&mut self, c: usize, blocks: [u32; 2]) -> [[f64; LANES]; 2] {
         let gaussian = &self.gaussians[c];
-        let squares = gaussian.squared_distances::<FUSED>(&self.data.samples()[block].0);
-        let at = c * self.bounds.width + block / LANES;
-        self.bounds.near[at].0[block % LANES] =
-            vector::reduce(squares, |a, b| if a < b { a } else { b });
-        self.bounds.far[at].0[block % LANES] =
-            vector::reduce(squares, |a, b| if a > b { a } else { b });
-        lanes(|lane| gaussian.log_scale() - 0.5 * squares[lane])
+        let samples = blocks.map(|block| &self.data.samples()[block as usize].0);
+        let mut logs = gaussian.squared_distances_of_two::<FUSED>(samples);
+        for i in 0..2 {
+            let block = blocks[i] as usize;
+            let at = c * self.bounds.width + block / LANES;
+            self.bounds.near[at].0[block % LANES] =
+                vector::reduce(logs[i], |a, b| if a < b { a } else { b });
+            self.bounds.far[at].0[block % LANES] =
+                vector::reduce(logs[i], |a, b| if a > b { a } else { b });
+            for lane in 0..LANES {
+                logs[i][lane] = gaussian.log_scale() - 0.5 * logs[i][lane];
+            }
+        }
+        logs
     }
 }
 

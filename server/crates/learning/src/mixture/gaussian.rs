@@ -61,6 +61,32 @@ impl<const D: usize> Gaussian<D> {
         self.log_scale
     }
 
+    /// The same for two blocks at once, which reads the factors half as often.
+    #[inline(always)]
+    pub fn squared_distances_of_two<const FUSED: bool>(
+        &self,
+        samples: [&[[f64; LANES]; D]; 2],
+    ) -> [[f64; LANES]; 2] {
+        let mut squares = [[0.0; LANES]; 2];
+        for_each_dimension!(D, i => {
+            let mut y = [[-self.whitened_mean[i]; LANES]; 2];
+            for j in 0..=i {
+                let w = self.whitening[i][j];
+                for (y, samples) in y.iter_mut().zip(samples) {
+                    for lane in 0..LANES {
+                        y[lane] = multiply_add::<FUSED>(w, samples[j][lane], y[lane]);
+                    }
+                }
+            }
+            for (square, y) in squares.iter_mut().zip(&y) {
+                for lane in 0..LANES {
+                    square[lane] = multiply_add::<FUSED>(y[lane], y[lane], square[lane]);
+                }
+            }
+        });
+        squares
+    }
+
     /// Squared distance |L⁻¹ (x - mean)|² of each sample.
     #[inline(always)]
     pub fn squared_distances<const FUSED: bool>(

@@ -6,10 +6,7 @@
 //! A block whose ball is nearer to one centre than to any other belongs to it as a
 //! whole, and its samples are not looked at; the labels are the same.
 
-use super::{
-    Blocks,
-    blocks::{Group, Moments},
-};
+use super::{Blocks, blocks::Moments};
 use crate::{
     rng::Stream,
     vector::{self, Kernel, LANES, multiply_add},
@@ -111,21 +108,30 @@ impl<const D: usize> Kernel for Assign<'_, D> {
             sums: vec![[0.0; LANES]; k],
         };
         let blocks = self.data.moments();
+        let between = distances_between(self.centres);
+        let (mut squares, mut inner) = (vec![[0.0; LANES]; k], vec![[0.0; LANES]; k]);
         for (index, group) in self.data.groups().iter().enumerate() {
-            let nearest = Nearest::of::<FUSED, D>(&group.mean, self.centres);
+            let nearest = Nearest::of::<FUSED, D>(&group.mean, self.centres, &mut squares);
             let first = index * LANES;
             for (lane, moments) in blocks[first..].iter().take(LANES).enumerate() {
                 let begin = (first + lane) * LANES;
                 let filled = self.data.filled(first + lane);
                 let labels = &mut clusters.labels[begin..begin + filled];
-                if nearest.holds_ball(group, lane) {
+                if nearest.holds_ball(group.radius[lane], lane, &squares, &between) {
                     let label = nearest.label[lane] as usize;
                     labels.fill(label as u16);
                     clusters.counts[label] += moments.zeroth;
                     add(&mut clusters.sums[label], moments);
                 } else {
                     let block = &self.data.samples()[first + lane].0;
-                    let nearest = Nearest::of::<FUSED, D>(block, self.centres);
+                    let nearest = Nearest::of::<FUSED, D>(block, self.centres, &mut inner);
+                    let label = nearest.label[0];
+                    if nearest.label == [label; LANES] {
+                        labels.fill(label as u16);
+                        clusters.counts[label as usize] += moments.zeroth;
+                        add(&mut clusters.sums[label as usize], moments);
+                        continue;
+                    }
                     for (lane, label) in labels.iter_mut().enumerate() {
                         let c = nearest.label[lane] as usize;
                         *label = c as u16;
@@ -148,12 +154,19 @@ fn add<const D: usize>(sum: &mut [f64; LANES], moments: &Moments<D>) {
     }
 }
 
-/// The nearest centre of each of [`LANES`] points, its squared distance, and that of
-/// the second nearest.
+/// Distances between all centres, k for each.
+fn distances_between<const D: usize>(centres: &[[f64; D]]) -> Vec<f64> {
+    let distance = |a: &[f64; D], b: &[f64; D]| squared(a, b).sqrt();
+    centres
+        .iter()
+        .flat_map(|a| centres.iter().map(move |b| distance(a, b)))
+        .collect()
+}
+
+/// The nearest centre of each of [`LANES`] points, and its squared distance.
 struct Nearest {
     label: [f64; LANES],
     square: [f64; LANES],
-    second: [f64; LANES],
 }
 
 impl Nearest {
@@ -161,42 +174,49 @@ impl Nearest {
     fn of<const FUSED: bool, const D: usize>(
         points: &[[f64; LANES]; D],
         centres: &[[f64; D]],
+        squares_to: &mut [[f64; LANES]],
     ) -> Nearest {
         let mut found = Nearest {
             label: [0.0; LANES],
             square: [f64::INFINITY; LANES],
-            second: [f64::INFINITY; LANES],
         };
         for (c, centre) in centres.iter().enumerate() {
             let square = squares::<FUSED, D>(points, centre);
+            squares_to[c] = square;
             for lane in 0..LANES {
                 let closer = square[lane] < found.square[lane];
-                let loser = if closer {
-                    found.square[lane]
-                } else {
-                    square[lane]
-                };
                 found.square[lane] = if closer {
                     square[lane]
                 } else {
                     found.square[lane]
                 };
                 found.label[lane] = if closer { c as f64 } else { found.label[lane] };
-                found.second[lane] = if loser < found.second[lane] {
-                    loser
-                } else {
-                    found.second[lane]
-                };
             }
         }
         found
     }
 
-    /// Whether all of a ball around the point is nearest to the same centre.
+    /// Whether all of a ball around point `lane` is on this side of the planes half
+    /// way to the other centres. The distance to the plane between a and c is
+    /// (|x - c|² - |x - a|²) / (2 |a - c|).
     #[inline(always)]
-    fn holds_ball<const D: usize>(&self, group: &Group<D>, lane: usize) -> bool {
-        let gap = self.second[lane].sqrt() - self.square[lane].sqrt();
-        gap > 2.0 * group.radius[lane] + ROUNDING * self.second[lane].sqrt()
+    fn holds_ball(
+        &self,
+        radius: f64,
+        lane: usize,
+        squares_to: &[[f64; LANES]],
+        between: &[f64],
+    ) -> bool {
+        let own = self.label[lane] as usize;
+        let between = &between[own * squares_to.len()..];
+        squares_to
+            .iter()
+            .zip(between)
+            .enumerate()
+            .all(|(c, (square, apart))| {
+                let margin = square[lane] * (1.0 - ROUNDING) - self.square[lane];
+                c == own || margin > 2.0 * radius * apart
+            })
     }
 }
 

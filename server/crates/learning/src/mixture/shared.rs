@@ -185,28 +185,55 @@ impl<const D: usize> LaneMoments<D> {
                 self.zeroth[lane] += share[lane];
             }
         }
-        for_each_dimension!(D, i => {
-            let mut weighted = [[0.0; LANES]; TOGETHER];
+        // Two rows at a time, so that each sample is read once for both.
+        for_each_dimension!(D, pair => {
+            let i = 2 * pair;
+            if i + 1 < D {
+                self.add_rows::<FUSED, 2>(i, shares, samples);
+            } else if i < D {
+                self.add_rows::<FUSED, 1>(i, shares, samples);
+            }
+        });
+    }
+
+    /// Adds to `ROWS` rows from row `i` on. Of these the longest one decides how far all
+    /// go; what lies above the diagonal is not read.
+    #[inline(always)]
+    fn add_rows<const FUSED: bool, const ROWS: usize>(
+        &mut self,
+        i: usize,
+        shares: &[[f64; LANES]; TOGETHER],
+        samples: &[&[[f64; LANES]; D]; TOGETHER],
+    ) {
+        let mut weighted = [[[0.0; LANES]; TOGETHER]; ROWS];
+        for row in 0..ROWS {
             for b in 0..TOGETHER {
                 for lane in 0..LANES {
-                    weighted[b][lane] = shares[b][lane] * samples[b][i][lane];
-                    self.first[i][lane] += weighted[b][lane];
+                    weighted[row][b][lane] = shares[b][lane] * samples[b][i + row][lane];
+                    self.first[i + row][lane] += weighted[row][b][lane];
                 }
             }
-            for j in 0..=i {
-                let mut sum = self.second[i][j];
-                for b in 0..TOGETHER {
+        }
+        for j in 0..i + ROWS {
+            let mut sums: [[f64; LANES]; ROWS] = [[0.0; LANES]; ROWS];
+            for row in 0..ROWS {
+                sums[row] = self.second[i + row][j];
+            }
+            for b in 0..TOGETHER {
+                for row in 0..ROWS {
                     for lane in 0..LANES {
-                        sum[lane] = multiply_add::<FUSED>(
-                            weighted[b][lane],
+                        sums[row][lane] = multiply_add::<FUSED>(
+                            weighted[row][b][lane],
                             samples[b][j][lane],
-                            sum[lane],
+                            sums[row][lane],
                         );
                     }
                 }
-                self.second[i][j] = sum;
             }
-        });
+            for row in 0..ROWS {
+                self.second[i + row][j] = sums[row];
+            }
+        }
     }
 
     #[inline(always)]

@@ -14,8 +14,10 @@ use crate::{
     alignment::Aligned,
     demonstration::tool_path_mm,
     mixture::{self, Mixture, Rows},
+    nearest::Curve,
     regression,
     rng::Stream,
+    statistics::mean,
 };
 
 /// A k is nearly as good as the best when it misses at most this much more.
@@ -138,16 +140,6 @@ const MM_PER_DEG: f64 = 3.5;
 /// Mean distance of the points to the nearest sample of the curve.
 fn mean_distance(points: &Path, curve: &Path) -> f64 {
     // Every fifth point: neighbours of 10 ms say the same.
-    let chosen = points.rows().step_by(5);
-    let count = chosen.len() as f64;
-    let sum: f64 = chosen
-        .map(|p| {
-            curve
-                .rows()
-                .map(|q| p.iter().zip(q).map(|(a, b)| (a - b) * (a - b)).sum::<f64>())
-                .fold(f64::INFINITY, f64::min)
-                .sqrt()
-        })
-        .sum();
-    sum / count
+    let chosen = Path::from_rows(points.width(), points.rows().step_by(5));
+    mean(&Curve::new(curve).distances(&chosen))
 }
