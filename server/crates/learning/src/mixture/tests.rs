@@ -256,11 +256,13 @@ proptest! {
             let gaussians = components.iter().map(|c| Gaussian::new(c).unwrap()).collect();
             let (total, moments) = expectation.step(gaussians);
             let (plain, mass, first) = plain_step(&data, &components);
-            prop_assert!((total - plain).abs() < 1e-8 * plain.abs().max(1.0), "{total} {plain}");
+            // Each sample may lose shares of 1e-7 of each component.
+            let lost = 1e-7 * k as f64 * samples as f64;
+            prop_assert!((total - plain).abs() < lost + 1e-11 * plain.abs(), "{total} {plain}");
             for c in 0..k {
-                prop_assert!((moments[c].zeroth - mass[c]).abs() < 1e-7);
+                prop_assert!((moments[c].zeroth - mass[c]).abs() < lost);
                 for i in 0..3 {
-                    prop_assert!((moments[c].first[i] - first[c][i]).abs() < 1e-5);
+                    prop_assert!((moments[c].first[i] - first[c][i]).abs() < 60.0 * lost);
                 }
             }
         }
