@@ -17,11 +17,19 @@
 //! their shape. All derivatives are integrated with explicit Euler steps of `dt_s`.
 
 mod forcing;
+mod imitation;
+mod springs;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, path::Path};
-use forcing::Forcing;
+use crate::{
+    Error,
+    path::Path,
+    vector::{self, Kernel, LANES},
+};
+use forcing::{Joints, Phase, SPARE};
+pub use imitation::{Imitation, Stiffness};
+use springs::{Constants, Springs};
 
 /// Speeds below this share of the largest one count as standing still.
 const STILL_SHARE: f64 = 0.05;
@@ -92,7 +100,7 @@ pub const SMALLEST_FLOOR: f64 = 1e-100;
 /// basis functions, by locally weighted regression for each of them; `floor` is
 /// added to the denominator of each weight.
 ///
-/// The path must have at least three rows.
+/// The path must have at least three rows, of at most seven joints.
 pub fn imitate(
     path_deg: &Path,
     dt_s: f64,
@@ -101,53 +109,9 @@ pub fn imitate(
     n_basis: usize,
     floor: f64,
 ) -> MovementPrimitive {
-    let (n, d) = (path_deg.len(), path_deg.width());
-    let forcing = Forcing::new(alpha_z, n_basis, tau_s, dt_s, n);
-    let mut weights = Vec::with_capacity(d);
-    for j in 0..d {
-        let target = forcing_target(&path_deg.column(j), dt_s, tau_s, alpha_z);
-        weights.push(forcing.fit(&target, floor));
-    }
-    MovementPrimitive {
-        alpha_z,
-        tau_s,
-        dt_s,
-        steps: n,
-        start_deg: path_deg.row(0).to_vec(),
-        goal_deg: path_deg.last().to_vec(),
-        weights,
-    }
-}
-
-/// What the forcing term must be for the spring to follow one joint exactly:
-/// tau² y'' - alpha_z (beta_z (g - y) - tau y').
-fn forcing_target(y: &[f64], dt_s: f64, tau_s: f64, alpha_z: f64) -> Vec<f64> {
-    let n = y.len();
-    let (beta_z, alpha_g) = (alpha_z / 4.0, alpha_z / 6.0);
-    let goal = y[n - 1];
-    let mut filtered = y[0];
-    // Forward differences; the last rows are at rest.
-    let velocity = |i: usize| {
-        if i + 1 < n {
-            (y[i + 1] - y[i]) / dt_s
-        } else {
-            0.0
-        }
-    };
-    let acceleration = |i: usize| {
-        if i + 2 < n {
-            (velocity(i + 1) - velocity(i)) / dt_s
-        } else {
-            0.0
-        }
-    };
-    (0..n)
-        .map(|i| {
-            let spring = alpha_z * (beta_z * (filtered - y[i]) - tau_s * velocity(i));
-            filtered += alpha_g * (goal - filtered) * dt_s;
-            tau_s * tau_s * acceleration(i) - spring
-        })
-        .collect()
+    Imitation::of(path_deg, dt_s, tau_s, floor)
+        .with(alpha_z)
+        .primitive(n_basis)
 }
 
 impl MovementPrimitive {
@@ -171,80 +135,116 @@ impl MovementPrimitive {
         goal_deg: &[f64],
         extent: Extent,
     ) -> Result<Path, Error> {
-        let d = self.weights.len();
-        for (which, values) in [("start", start_deg), ("goal", goal_deg)] {
-            if values.len() != d {
-                return Err(Error::BadTarget {
-                    which,
-                    reason: format!("{} angles for {d} joints", values.len()),
-                });
-            }
-            if let Some(j) = values.iter().position(|q| !q.is_finite()) {
-                return Err(Error::BadTarget {
-                    which,
-                    reason: format!("joint {} is not a number", j + 1),
-                });
-            }
+        self.landscape().rollout(start_deg, goal_deg, extent)
+    }
+
+    /// The primitive with its forcing term evaluated, for many rollouts.
+    pub fn landscape(&self) -> Landscape<'_> {
+        let phase = Phase::new(self.alpha_z, self.tau_s, self.dt_s, self.steps);
+        let weights = (0..self.n_basis())
+            .map(|i| {
+                let mut joints = [0.0; LANES];
+                for (joint, weights) in joints.iter_mut().zip(&self.weights) {
+                    *joint = weights[i];
+                }
+                joints
+            })
+            .collect();
+        Landscape {
+            primitive: self,
+            forces: forcing::forces(&phase, weights),
         }
-        let longest = match extent {
-            Extent::AsTaught => self.steps,
-            Extent::UntilSettled { longest_s, .. } => {
-                self.steps.max((longest_s / self.dt_s).ceil() as usize)
+    }
+}
+
+/// A primitive whose forcing term, which depends on the phase alone and is shared by
+/// all starts and goals, is known at each step.
+pub struct Landscape<'a> {
+    primitive: &'a MovementPrimitive,
+    forces: Vec<Joints>,
+}
+
+impl Landscape<'_> {
+    /// As [`MovementPrimitive::rollout`].
+    pub fn rollout(
+        &self,
+        start_deg: &[f64],
+        goal_deg: &[f64],
+        extent: Extent,
+    ) -> Result<Path, Error> {
+        let joints = self.primitive.weights.len();
+        let start = in_lanes("start", start_deg, joints)?;
+        let goal = in_lanes("goal", goal_deg, joints)?;
+        Ok(vector::dispatch(Rollout {
+            landscape: self,
+            start,
+            goal,
+            joints,
+            extent,
+        }))
+    }
+}
+
+fn in_lanes(which: &'static str, values: &[f64], joints: usize) -> Result<[f64; LANES], Error> {
+    if values.len() != joints {
+        return Err(Error::BadTarget {
+            which,
+            reason: format!("{} angles for {joints} joints", values.len()),
+        });
+    }
+    if let Some(j) = values.iter().position(|q| !q.is_finite()) {
+        return Err(Error::BadTarget {
+            which,
+            reason: format!("joint {} is not a number", j + 1),
+        });
+    }
+    let mut lanes = [0.0; LANES];
+    lanes[..joints].copy_from_slice(values);
+    Ok(lanes)
+}
+
+struct Rollout<'a> {
+    landscape: &'a Landscape<'a>,
+    start: [f64; LANES],
+    goal: [f64; LANES],
+    joints: usize,
+    extent: Extent,
+}
+
+impl Kernel for Rollout<'_> {
+    type Output = Path;
+
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) -> Path {
+        let primitive = self.landscape.primitive;
+        let constants = Constants::new(primitive.alpha_z, primitive.tau_s, primitive.dt_s);
+        let (longest, tolerance_deg) = match self.extent {
+            Extent::AsTaught => (primitive.steps, 0.0),
+            Extent::UntilSettled {
+                tolerance_deg,
+                longest_s,
+            } => {
+                let longest = (longest_s / primitive.dt_s).ceil() as usize;
+                (longest.max(primitive.steps), tolerance_deg)
             }
         };
-        let forces = self.forces(longest);
-        let mut state: Vec<Spring> = start_deg.iter().map(|&q| Spring::at_rest(q)).collect();
-        let mut path = Path::with_capacity(d, self.steps);
-        let mut row = vec![0.0; d];
+        let mut springs = Springs::at_rest(self.start);
+        let mut path = Path::with_capacity(self.joints, primitive.steps);
+        // Beyond the taught time nothing pushes.
+        let none = Joints::default();
         for step in 0..longest {
-            for j in 0..d {
-                let force = forces.get(step).map_or(0.0, |f| f[j]);
-                state[j].advance(self, goal_deg[j], force);
-                row[j] = state[j].y;
-            }
-            path.push(&row);
-            if let Extent::UntilSettled { tolerance_deg, .. } = extent
-                && step + 1 >= self.steps
-                && state.iter().zip(goal_deg).all(|(s, goal)| {
-                    (s.y - goal).abs() <= tolerance_deg && (s.z / self.tau_s).abs() <= tolerance_deg
-                })
-            {
+            let force = self.landscape.forces.get(step).unwrap_or(&none);
+            springs.advance::<FUSED>(&constants, &self.goal, force);
+            path.push(&springs.y[..self.joints]);
+            let settled = |j: usize| {
+                (springs.y[j] - self.goal[j]).abs() <= tolerance_deg
+                    && (springs.z[j] / primitive.tau_s).abs() <= tolerance_deg
+            };
+            if step + 1 >= primitive.steps && (0..self.joints).all(settled) {
                 break;
             }
         }
-        Ok(path)
-    }
-
-    /// Forcing term of each joint at each step. It depends on the phase alone and
-    /// is shared by all starts and goals.
-    fn forces(&self, steps: usize) -> Vec<Vec<f64>> {
-        Forcing::new(self.alpha_z, self.n_basis(), self.tau_s, self.dt_s, steps)
-            .evaluate(&self.weights)
-    }
-}
-
-/// State of one joint's spring and of its filtered goal.
-struct Spring {
-    y: f64,
-    z: f64,
-    goal: f64,
-}
-
-impl Spring {
-    fn at_rest(y: f64) -> Spring {
-        Spring { y, z: 0.0, goal: y }
-    }
-
-    /// One Euler step; every derivative is taken from the old state.
-    fn advance(&mut self, primitive: &MovementPrimitive, goal: f64, force: f64) {
-        let alpha = primitive.alpha_z;
-        let (tau, dt) = (primitive.tau_s, primitive.dt_s);
-        let dz = (alpha * (alpha / 4.0 * (self.goal - self.y) - self.z) + force) / tau;
-        let dy = self.z / tau;
-        let dg = alpha / 6.0 * (goal - self.goal);
-        self.z += dz * dt;
-        self.y += dy * dt;
-        self.goal += dg * dt;
+        path
     }
 }
 

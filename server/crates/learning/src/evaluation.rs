@@ -78,8 +78,7 @@ pub fn search(
     progress: progress::Report,
 ) -> Result<Search, Error> {
     let encoding = training::encode(demonstrations, params, progress)?;
-    let objective =
-        |point: [u32; 2]| training::objective_at(&encoding.regression, params.method, point);
+    let imitation = training::imitation(&encoding.regression, params.method);
     let mut grid: Option<Evaluation> = None;
     let mut calls = 0;
     let open = usize::from(params.method == Method::Paper);
@@ -89,9 +88,10 @@ pub fn search(
         (0..count).map(move |n| search.low[i] + search.step[i] * n as u32)
     };
     for first in along(0) {
+        let stiffness = imitation.with(f64::from(first));
         for second in along(1) {
             let point = [first, second];
-            let value = objective(point)?;
+            let value = stiffness.objective(second as usize);
             calls += 1;
             if grid.is_none_or(|best| value < best.value) {
                 grid = Some(Evaluation { point, value });
@@ -102,7 +102,9 @@ pub fn search(
     let bayesian = (0..runs)
         .map(|run| {
             let seed = with_seed(params, run).seed;
-            let optimum = optimisation::minimise(&params.search, seed, &mut |p| objective(p))?;
+            let optimum = optimisation::minimise(&params.search, seed, &mut |point| {
+                Ok(training::objective_at(&imitation, point))
+            })?;
             Ok(OptimisationRun {
                 point: optimum.best.point,
                 value: optimum.best.value,

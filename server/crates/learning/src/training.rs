@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use crate::{
     Demonstration, Error, Method, Model, Progress, Report, Stage, TrainingParams,
-    dmp::{self, Extent, MovementPrimitive},
+    dmp::{self, Extent, Imitation, MovementPrimitive},
     metrics,
     optimisation::{self, Optimum},
     progress::{self, Counter},
@@ -131,20 +131,20 @@ fn optimise(
     progress: progress::Report,
 ) -> Result<(MovementPrimitive, Optimum), Error> {
     let counter = Counter::begin(progress, Stage::Optimisation, params.search.max_calls)?;
+    let imitation = imitation(regression, params.method);
     let optimum = optimisation::minimise(&params.search, params.seed, &mut |point| {
         counter.step()?;
-        objective_at(regression, params.method, point)
+        Ok(objective_at(&imitation, point))
     })?;
-    let primitive = primitive_at(regression, params.method, optimum.best.point);
+    let [alpha_z, n_basis] = optimum.best.point;
+    let primitive = imitation
+        .with(f64::from(alpha_z))
+        .primitive(n_basis as usize);
     Ok((primitive, optimum))
 }
 
-/// The primitive that imitates the regression with the parameters (alpha_z, N).
-fn primitive_at(
-    regression: &Regression,
-    method: Method,
-    [alpha_z, n_basis]: [u32; 2],
-) -> MovementPrimitive {
+/// The regression, ready to be imitated with many candidates (alpha_z, N).
+pub(crate) fn imitation(regression: &Regression, method: Method) -> Imitation {
     let dt_s = regression.t_s[1] - regression.t_s[0];
     let path = &regression.mean_deg;
     let (tau_s, floor) = match method {
@@ -152,19 +152,14 @@ fn primitive_at(
         Method::Faithful => (regression.t_s[path.len() - 1], dmp::SMALLEST_FLOOR),
         Method::Paper => (dmp::time_constant_s(path, dt_s), dmp::PUBLISHED_FLOOR),
     };
-    let (alpha_z, n_basis) = (f64::from(alpha_z), n_basis as usize);
-    dmp::imitate(path, dt_s, tau_s, alpha_z, n_basis, floor)
+    Imitation::of(path, dt_s, tau_s, floor)
 }
 
 /// The objective of the optimisation at (alpha_z, N), degrees.
-pub(crate) fn objective_at(
-    regression: &Regression,
-    method: Method,
-    point: [u32; 2],
-) -> Result<f64, Error> {
-    let primitive = primitive_at(regression, method, point);
-    let rollout = primitive.rollout(&primitive.start_deg, &primitive.goal_deg, Extent::AsTaught)?;
-    Ok(metrics::objective(&rollout, &regression.mean_deg))
+pub(crate) fn objective_at(imitation: &Imitation, [alpha_z, n_basis]: [u32; 2]) -> f64 {
+    imitation
+        .with(f64::from(alpha_z))
+        .objective(n_basis as usize)
 }
 
 fn on_bound_of(optimum: &Optimum, params: &TrainingParams) -> Vec<String> {
@@ -189,6 +184,7 @@ fn noise_figures(
     noise_deg: f64,
 ) -> Result<NoiseFigures, Error> {
     let mut rng = Stream::derive(seed, &[STREAM_NOISE, noise_deg.to_bits()]);
+    let landscape = primitive.landscape();
     let (mut gmccs, mut errors) = (Vec::new(), Vec::new());
     for _ in 0..NOISE_RUNS {
         let start: Vec<f64> = primitive
@@ -196,7 +192,7 @@ fn noise_figures(
             .iter()
             .map(|q| q + noise_deg * rng.normal())
             .collect();
-        let path = primitive.rollout(&start, &primitive.goal_deg, Extent::AsTaught)?;
+        let path = landscape.rollout(&start, &primitive.goal_deg, Extent::AsTaught)?;
         gmccs.push(metrics::gmcc(&path, &regression.mean_deg));
         errors.push(metrics::e_j_deg(path.last(), &primitive.goal_deg));
     }

@@ -10,46 +10,73 @@ use crate::path::Path;
 /// |R H - mean(Y)| / |Y - mean(Y)| with H minimising |R H - Y| (Frobenius norms).
 /// The shorter curve is padded with its last row.
 pub fn gmcc(a: &Path, b: &Path) -> f64 {
-    let (a, b) = same_length(a, b);
-    0.5 * (one_way(&a, &b) + one_way(&b, &a))
+    let curves = Curves::of(a, b);
+    symmetric(&curves, &curves.a, &curves.b)
 }
 
-/// GMCC after centring both curves: unlike the published form it is invariant to
-/// translation and never above 1.
+/// GMCC with intercept, which is that of both curves centred: unlike the published
+/// form it is invariant to translation and never above 1.
 pub fn gmcc_centred(a: &Path, b: &Path) -> f64 {
-    let (a, b) = same_length(a, b);
-    let (a, b) = (centre(&a), centre(&b));
-    0.5 * (one_way(&a, &b) + one_way(&b, &a))
+    let curves = Curves::of(a, b);
+    let centred = |m: &DMatrix<f64>| m - &curves.ones * curves.mean(m);
+    let (a, b) = (centred(&curves.a), centred(&curves.b));
+    symmetric(&curves, &a, &b)
 }
 
-fn same_length(a: &Path, b: &Path) -> (DMatrix<f64>, DMatrix<f64>) {
-    let n = a.len().max(b.len());
-    let matrix = |p: &Path| DMatrix::from_fn(n, p.width(), |i, j| p.row(i.min(p.len() - 1))[j]);
-    (matrix(a), matrix(b))
+fn symmetric(curves: &Curves, a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
+    0.5 * (curves.one_way(a, b) + curves.one_way(b, a))
 }
 
-fn centre(m: &DMatrix<f64>) -> DMatrix<f64> {
-    let mean = m.row_mean();
-    DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(i, j)] - mean[j])
+/// Two curves and a column of ones, turned by the same orthogonal matrix so that few
+/// rows are left (QR of all columns together): norms and products of columns, which
+/// is all that the coefficient looks at, stay what they are.
+struct Curves {
+    ones: DMatrix<f64>,
+    a: DMatrix<f64>,
+    b: DMatrix<f64>,
 }
 
-fn one_way(r: &DMatrix<f64>, y: &DMatrix<f64>) -> f64 {
-    let mean = y.row_mean();
-    let deviation = |m: &DMatrix<f64>| {
-        m.row_iter()
-            .map(|row| (row - &mean).norm_squared())
-            .sum::<f64>()
-            .sqrt()
-    };
-    let total = deviation(y);
-    if total == 0.0 {
-        // A curve that stands still is explained by anything.
-        return 1.0;
+impl Curves {
+    fn of(a: &Path, b: &Path) -> Curves {
+        let n = a.len().max(b.len());
+        let (first, second) = (a.width(), b.width());
+        let all = DMatrix::from_fn(n, 1 + first + second, |i, j| {
+            if j == 0 {
+                1.0
+            } else if j <= first {
+                a.row(i.min(a.len() - 1))[j - 1]
+            } else {
+                b.row(i.min(b.len() - 1))[j - 1 - first]
+            }
+        });
+        let turned = all.qr().unpack_r();
+        Curves {
+            ones: turned.columns(0, 1).into_owned(),
+            a: turned.columns(1, first).into_owned(),
+            b: turned.columns(1 + first, second).into_owned(),
+        }
     }
-    let svd = r.clone().svd(true, true);
-    let cutoff = svd.singular_values.max() * 1e-12;
-    match svd.solve(y, cutoff) {
-        Ok(h) => deviation(&(r * h)) / total,
-        Err(_) => 0.0,
+
+    /// Mean row.
+    fn mean(&self, m: &DMatrix<f64>) -> DMatrix<f64> {
+        self.ones.tr_mul(m) / self.ones.norm_squared()
+    }
+
+    fn one_way(&self, r: &DMatrix<f64>, y: &DMatrix<f64>) -> f64 {
+        let mean = &self.ones * self.mean(y);
+        let total = (y - &mean).norm();
+        if total <= STANDS_STILL * y.norm() {
+            // A curve that stands still is explained by anything.
+            return 1.0;
+        }
+        let svd = r.clone().svd(true, true);
+        let cutoff = svd.singular_values.max() * 1e-12;
+        match svd.solve(y, cutoff) {
+            Ok(h) => (r * h - mean).norm() / total,
+            Err(_) => 0.0,
+        }
     }
 }
+
+/// Deviation below which a curve stands still, as a share of its size: rounding.
+const STANDS_STILL: f64 = 1e-13;
