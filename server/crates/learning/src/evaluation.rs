@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Demonstration, Error, Method, Progress, TrainingParams,
-    optimisation::{self, Evaluation},
-    progress,
+    dmp::Imitation,
+    optimisation, progress,
     report::NoiseFigures,
     statistics::{median, population_std},
     training,
@@ -26,7 +26,7 @@ pub struct Repeatability {
     pub std: f64,
 }
 
-/// One run of Bayesian optimisation.
+/// One search for alpha_z and N.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OptimisationRun {
     /// The best point it found, (alpha_z, N).
@@ -35,15 +35,6 @@ pub struct OptimisationRun {
     pub value: f64,
     /// Evaluations of the objective.
     pub calls: usize,
-}
-
-/// Grid search and Bayesian optimisation on one regression.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Search {
-    /// The best point of the grid.
-    pub grid: OptimisationRun,
-    /// Bayesian optimisation, once for each seed.
-    pub bayesian: Vec<OptimisationRun>,
 }
 
 /// Chooses k `runs` times, with seeds from `params.seed` on. `progress` is called
@@ -68,58 +59,65 @@ pub fn repeatability(
     })
 }
 
-/// Searches alpha_z and N over the whole grid, and by Bayesian optimisation with
-/// `runs` seeds, on the regression that `params` gives. The paper's grid leaves out
-/// the upper ends of its box (25 x 150 points); so does this one for its method.
-pub fn search(
-    demonstrations: &[Demonstration],
-    params: &TrainingParams,
-    runs: usize,
-    progress: progress::Report,
-) -> Result<Search, Error> {
-    let encoding = training::encode(demonstrations, params, progress)?;
-    let imitation = training::imitation(&encoding.regression, params.method);
-    let mut grid: Option<Evaluation> = None;
-    let mut calls = 0;
-    let open = usize::from(params.method == Method::Paper);
-    let along = |i: usize| {
-        let search = &params.search;
-        let count = ((search.high[i] - search.low[i]) / search.step[i]) as usize + 1 - open;
-        (0..count).map(move |n| search.low[i] + search.step[i] * n as u32)
-    };
-    for first in along(0) {
-        let stiffness = imitation.with(f64::from(first));
-        for second in along(1) {
-            let point = [first, second];
-            let value = stiffness.objective(second as usize);
-            calls += 1;
-            if grid.is_none_or(|best| value < best.value) {
-                grid = Some(Evaluation { point, value });
+/// Searches for alpha_z and N on one regression.
+pub struct Searches {
+    imitation: Imitation,
+    params: TrainingParams,
+}
+
+impl Searches {
+    /// Finds the regression of the demonstrations that `params` gives.
+    pub fn prepare(
+        demonstrations: &[Demonstration],
+        params: &TrainingParams,
+        progress: progress::Report,
+    ) -> Result<Searches, Error> {
+        let encoding = training::encode(demonstrations, params, progress)?;
+        Ok(Searches {
+            imitation: training::imitation(&encoding.regression, params.method),
+            params: params.clone(),
+        })
+    }
+
+    /// The best point of the whole grid. The paper's grid leaves out the upper ends of
+    /// its box (25 x 150 points); so does this one for its method.
+    pub fn grid(&self) -> OptimisationRun {
+        let open = u32::from(self.params.method == Method::Paper);
+        let search = &self.params.search;
+        let along = |i: usize| {
+            let end = search.high[i] - open * search.step[i];
+            (search.low[i]..=end).step_by(search.step[i] as usize)
+        };
+        let mut best = OptimisationRun {
+            point: search.low,
+            value: f64::INFINITY,
+            calls: 0,
+        };
+        for alpha_z in along(0) {
+            let stiffness = self.imitation.with(f64::from(alpha_z));
+            for n_basis in along(1) {
+                let value = stiffness.objective(n_basis as usize);
+                best.calls += 1;
+                if value < best.value {
+                    (best.point, best.value) = ([alpha_z, n_basis], value);
+                }
             }
         }
+        best
     }
-    let grid = grid.ok_or(Error::NoDemonstrations)?;
-    let bayesian = (0..runs)
-        .map(|run| {
-            let seed = with_seed(params, run).seed;
-            let optimum = optimisation::minimise(&params.search, seed, &mut |point| {
-                Ok(training::objective_at(&imitation, point))
-            })?;
-            Ok(OptimisationRun {
-                point: optimum.best.point,
-                value: optimum.best.value,
-                calls: optimum.evaluations.len(),
-            })
+
+    /// Bayesian optimisation with the seed of `run`.
+    pub fn bayesian(&self, run: usize) -> Result<OptimisationRun, Error> {
+        let seed = with_seed(&self.params, run).seed;
+        let optimum = optimisation::minimise(&self.params.search, seed, &mut |point| {
+            Ok(training::objective_at(&self.imitation, point))
+        })?;
+        Ok(OptimisationRun {
+            point: optimum.best.point,
+            value: optimum.best.value,
+            calls: optimum.evaluations.len(),
         })
-        .collect::<Result<_, Error>>()?;
-    Ok(Search {
-        grid: OptimisationRun {
-            point: grid.point,
-            value: grid.value,
-            calls,
-        },
-        bayesian,
-    })
+    }
 }
 
 /// Trains once and gives the figures of reproductions from noisy starts.
