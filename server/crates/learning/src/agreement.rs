@@ -106,7 +106,7 @@ pub fn of(
             found: other.joints(),
         });
     }
-    let aligned = align_to_mean(demonstrations, RATE_HZ, step)?;
+    let aligned = align_to_mean(demonstrations, RATE_HZ, step)?.aligned;
     Ok(agreement(demonstrations, &aligned))
 }
 

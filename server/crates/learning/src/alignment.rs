@@ -7,6 +7,7 @@
 //! Both series are thus indexed by the warping path, which the paper leaves open.
 
 pub mod barycentre;
+pub mod centre;
 pub mod dtw;
 mod groups;
 

@@ -3,9 +3,11 @@
 
 mod fidelity;
 mod gmcc;
+mod kinetics;
 
-pub use fidelity::{Fidelity, Kinetics, fidelity};
+pub use fidelity::{Fidelity, fidelity};
 pub use gmcc::{gmcc, gmcc_centred};
+pub use kinetics::Kinetics;
 
 use crate::path::Path;
 

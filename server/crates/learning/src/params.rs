@@ -84,7 +84,7 @@ impl TrainingParams {
     pub fn faithful(seed: u64) -> TrainingParams {
         TrainingParams {
             method: Method::Faithful,
-            candidates: vec![2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 30],
+            candidates: vec![2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 30, 40, 50],
             search: SearchBox {
                 low: [25, 100],
                 high: [100, 1000],

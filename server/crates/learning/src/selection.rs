@@ -9,7 +9,7 @@ pub mod js;
 mod left_out;
 pub mod welch;
 
-pub use left_out::{LeftOut, Tried, choose_smallest, leave_one_out};
+pub use left_out::{LeftOut, Tried, by_missed, leave_one_out};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

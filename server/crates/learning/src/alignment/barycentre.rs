@@ -18,6 +18,14 @@ const PASS_RATE_HZ: f64 = 50.0;
 /// Left standing before and after the motion, seconds.
 const MARGIN_S: f64 = 0.3;
 
+/// Demonstrations aligned to their barycentre.
+pub struct Barycentre {
+    /// The demonstrations on the common time.
+    pub aligned: Aligned,
+    /// Each demonstration's own time (without its idle start) at each common time.
+    pub clocks_s: Vec<Vec<f64>>,
+}
+
 /// Aligns the demonstrations to their barycentre, at `rate_hz`.
 ///
 /// Errors: [`Error::DifferentMotions`] when they do not show the same motion.
@@ -26,7 +34,7 @@ pub fn align_to_mean(
     demonstrations: &[Demonstration],
     rate_hz: f64,
     step: &mut dyn FnMut(usize, usize) -> Result<(), Error>,
-) -> Result<Aligned, Error> {
+) -> Result<Barycentre, Error> {
     let active: Vec<Recorded> = demonstrations.iter().map(Recorded::active).collect();
     let scales = Scales::of(&active);
     let m = active.len();
@@ -69,7 +77,7 @@ pub fn align_to_mean(
     let clocks = on_mean_clock(&clocks, rate_hz);
     let duration: f64 = active.iter().map(|r| r.duration_s).sum::<f64>() / m as f64;
     let count = clocks[0].len();
-    Ok(Aligned {
+    let aligned = Aligned {
         reference,
         t_s: (0..count)
             .map(|i| duration * i as f64 / (count - 1) as f64)
@@ -79,6 +87,10 @@ pub fn align_to_mean(
             .zip(&clocks)
             .map(|(recorded, times)| recorded.joints_at(times))
             .collect(),
+    };
+    Ok(Barycentre {
+        aligned,
+        clocks_s: clocks,
     })
 }
 

@@ -1,16 +1,10 @@
 //! Path fidelity: how far the reproduced tool path is from the demonstrated ones,
 //! in millimetres, without any alignment in time.
 
-use motion::filter::savitzky_golay;
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    Demonstration, demonstration::tool_path_mm, nearest::Curve, path::Path, timeline::interpolate,
-};
-
-/// Half window of the smoothing before derivatives are taken, at 10 ms.
-const SMOOTHING_HALF: usize = 10;
-const GRID_S: f64 = 0.01;
+use super::Kinetics;
+use crate::{Demonstration, demonstration::tool_path_mm, nearest::Curve, path::Path};
 
 /// Distances between tool paths, mm. d(p, C) is the distance of a point to the
 /// nearest sample of a curve.
@@ -48,17 +42,6 @@ pub struct Fidelity {
     pub demonstrated_duration_s: f64,
 }
 
-/// Largest rates over all joints.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Kinetics {
-    /// Speed, deg/s.
-    pub peak_speed_deg_s: f64,
-    /// Acceleration, deg/s².
-    pub peak_acceleration_deg_s2: f64,
-    /// Jerk, deg/s³.
-    pub peak_jerk_deg_s3: f64,
-}
-
 /// Compares a reproduction (rows `dt_s` apart) with the demonstrations. None
 /// unless they are six-joint paths, whose tool positions are known.
 pub fn fidelity(
@@ -92,14 +75,6 @@ pub fn fidelity(
     };
     let (start_mm, start_spread_mm) = ends(|d| d.row(0));
     let (end_mm, end_spread_mm) = ends(Path::last);
-    let mut shown_kinetics = Kinetics::default();
-    for demonstration in demonstrations {
-        let grid = on_grid(demonstration.times_s(), demonstration.joints_deg());
-        shown_kinetics.widen(&kinetics(&grid));
-    }
-    let times: Vec<f64> = (0..reproduction_deg.len())
-        .map(|i| i as f64 * dt_s)
-        .collect();
     Some(Fidelity {
         missed_mean_mm,
         missed_max_mm: missed.iter().map(|m| m.1).fold(0.0, f64::max),
@@ -112,8 +87,8 @@ pub fn fidelity(
         end_mm,
         start_spread_mm,
         end_spread_mm,
-        reproduction: kinetics(&on_grid(&times, reproduction_deg)),
-        demonstrations: shown_kinetics,
+        reproduction: Kinetics::of_path(reproduction_deg, dt_s),
+        demonstrations: Kinetics::of_all(demonstrations),
         duration_s: (reproduction_deg.len() - 1) as f64 * dt_s,
         demonstrated_duration_s: mean(demonstrations.iter().map(active_duration_s)),
     })
@@ -174,46 +149,6 @@ fn distance(p: &[f64], q: &[f64]) -> f64 {
 fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     let n = values.len() as f64;
     values.sum::<f64>() / n
-}
-
-/// The path on a grid of 10 ms, linear between samples.
-fn on_grid(times_s: &[f64], joints_deg: &Path) -> Path {
-    let (first, last) = (times_s[0], times_s[times_s.len() - 1]);
-    let count = ((last - first) / GRID_S) as usize + 1;
-    let grid: Vec<f64> = (0..count).map(|i| first + i as f64 * GRID_S).collect();
-    interpolate(times_s, joints_deg, &grid)
-}
-
-impl Kinetics {
-    fn widen(&mut self, other: &Kinetics) {
-        self.peak_speed_deg_s = self.peak_speed_deg_s.max(other.peak_speed_deg_s);
-        self.peak_acceleration_deg_s2 = self
-            .peak_acceleration_deg_s2
-            .max(other.peak_acceleration_deg_s2);
-        self.peak_jerk_deg_s3 = self.peak_jerk_deg_s3.max(other.peak_jerk_deg_s3);
-    }
-}
-
-fn kinetics(grid: &Path) -> Kinetics {
-    let peak = |signal: &[f64]| signal.iter().map(|v| v.abs()).fold(0.0, f64::max);
-    let derive = |signal: &[f64]| -> Vec<f64> {
-        savitzky_golay(signal, SMOOTHING_HALF, true)
-            .iter()
-            .map(|v| v / GRID_S)
-            .collect()
-    };
-    let mut all = Kinetics::default();
-    for j in 0..grid.width() {
-        let speed = derive(&grid.column(j));
-        let acceleration = derive(&speed);
-        let jerk = derive(&acceleration);
-        all.widen(&Kinetics {
-            peak_speed_deg_s: peak(&speed),
-            peak_acceleration_deg_s2: peak(&acceleration),
-            peak_jerk_deg_s3: peak(&jerk),
-        });
-    }
-    all
 }
 
 /// Duration without the time in which the arm still stands at the start or

@@ -20,8 +20,6 @@ use crate::{
     statistics::mean,
 };
 
-/// A k is nearly as good as the best when it misses at most this much more.
-const NEARLY: f64 = 1.02;
 /// Most demonstrations that are left out in turn.
 const MAX_FOLDS: usize = 6;
 const STREAM_FOLDS: u64 = 5;
@@ -98,21 +96,12 @@ pub fn leave_one_out(
         .collect()
 }
 
-/// The smallest k that misses nearly as little as the best.
-///
-/// # Panics
-/// When `tried` is empty.
-pub fn choose_smallest(tried: &[Tried]) -> usize {
-    let best = tried
-        .iter()
-        .map(|t| t.left_out.missed)
-        .fold(f64::INFINITY, f64::min);
-    tried
-        .iter()
-        .find(|t| t.left_out.missed <= NEARLY * best)
-        .unwrap_or(&tried[0])
-        .left_out
-        .k
+/// The candidates' numbers of components, the one that misses least first, the
+/// smaller one of equals.
+pub fn by_missed(tried: &[Tried]) -> Vec<usize> {
+    let mut order: Vec<&LeftOut> = tried.iter().map(|t| &t.left_out).collect();
+    order.sort_by(|a, b| a.missed.total_cmp(&b.missed).then(a.k.cmp(&b.k)));
+    order.iter().map(|t| t.k).collect()
 }
 
 /// What is compared: joints and, where known, tool positions, so that the turn of

@@ -3,7 +3,8 @@
 use crate::{
     Demonstration, Error, TrainingParams,
     agreement::{Agreement, agreement},
-    alignment::{self, Aligned, barycentre},
+    alignment::{self, Aligned, barycentre, centre},
+    metrics::Kinetics,
     mixture::{self, Mixture, Rows},
     progress::{Counter, Report, Stage},
     regression::{Course, Ends, Regression},
@@ -83,8 +84,9 @@ pub fn faithfully(
     let m = demonstrations.len();
     let steps = barycentre::steps(m);
     let counter = Counter::begin(progress, Stage::Alignment, steps)?;
-    let aligned =
+    let barycentre =
         barycentre::align_to_mean(demonstrations, params.rate_hz, &mut |_, _| counter.step())?;
+    let aligned = &barycentre.aligned;
 
     // Each component needs some samples of each demonstration.
     let most = aligned.t_s.len() / 8;
@@ -92,29 +94,54 @@ pub fn faithfully(
     candidates.retain(|&k| k <= most.max(2));
     let total = candidates.len() * m;
     let counter = Counter::begin(progress, Stage::Selection, total)?;
-    let tried = selection::leave_one_out(&aligned, &candidates, params.seed, &|| counter.step())?;
-    let k = selection::choose_smallest(&tried);
+    let tried = selection::leave_one_out(aligned, &candidates, params.seed, &|| counter.step())?;
 
     Counter::begin(progress, Stage::Mixture, 1)?;
+    let aligned = centre::centred(aligned, &barycentre.clocks_s);
     let (values, width) = all_rows(&aligned);
-    let mixture = mixture::fit_along_time(Rows::new(width, &values), k)?.mixture;
-    Counter::begin(progress, Stage::Regression, 1)?;
     let course = Course {
         motion_s: aligned.duration_s(),
         rate_hz: params.rate_hz,
         ends: Some(ends(&aligned)),
     };
-    let regression = course.regress(&mixture);
+    let shown = Kinetics::of_all(demonstrations).peak_acceleration_deg_s2;
+    let mut smoothest: Option<(f64, Fitted)> = None;
+    for k in selection::by_missed(&tried) {
+        let mixture = mixture::fit_along_time(Rows::new(width, &values), k)?.mixture;
+        let regression = course.regress(&mixture);
+        let dt_s = regression.t_s[1] - regression.t_s[0];
+        let peak = Kinetics::of_path(&regression.mean_deg, dt_s).peak_acceleration_deg_s2;
+        if smoothest.as_ref().is_none_or(|(least, _)| peak < *least) {
+            let fitted = Fitted {
+                k,
+                mixture,
+                regression,
+            };
+            smoothest = Some((peak, fitted));
+        }
+        if peak <= shown {
+            break;
+        }
+    }
+    let (_, fitted) = smoothest.ok_or(Error::NoDemonstrations)?;
+    Counter::begin(progress, Stage::Regression, 1)?;
     Ok(Encoding {
         reference: aligned.reference,
-        k,
+        k: fitted.k,
         js: tried.iter().map(|t| t.stability.clone()).collect(),
         left_out: tried.into_iter().map(|t| t.left_out).collect(),
-        mixture,
+        mixture: fitted.mixture,
         agreement: agreement(demonstrations, &aligned),
         course,
-        regression,
+        regression: fitted.regression,
     })
+}
+
+/// A mixture of k components and the motion that it gives.
+struct Fitted {
+    k: usize,
+    mixture: Mixture,
+    regression: Regression,
 }
 
 fn all_rows(aligned: &Aligned) -> (Vec<f64>, usize) {
