@@ -20,6 +20,8 @@ use crate::{
     statistics::mean,
 };
 
+/// Points of a left-out demonstration that are asked for their distance.
+const POINTS: usize = 1000;
 /// Most demonstrations that are left out in turn.
 const MAX_FOLDS: usize = 6;
 const STREAM_FOLDS: u64 = 5;
@@ -128,7 +130,9 @@ const MM_PER_DEG: f64 = 3.5;
 
 /// Mean distance of the points to the nearest sample of the curve.
 fn mean_distance(points: &Path, curve: &Path) -> f64 {
-    // Every fifth point: neighbours of 10 ms say the same.
-    let chosen = Path::from_rows(points.width(), points.rows().step_by(5));
+    // Every fifth point, neighbours of 10 ms say the same; of a long motion about
+    // POINTS, which is plenty for a mean.
+    let step = (points.len() / POINTS).max(5);
+    let chosen = Path::from_rows(points.width(), points.rows().step_by(step));
     mean(&Curve::new(curve).distances(&chosen))
 }
