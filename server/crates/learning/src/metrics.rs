@@ -5,8 +5,8 @@ mod fidelity;
 mod gmcc;
 mod kinetics;
 
-pub use fidelity::{Fidelity, fidelity};
-pub use gmcc::{gmcc, gmcc_centred};
+pub use fidelity::{Fidelity, fidelity, missed_mean_mm};
+pub use gmcc::{Gmcc, gmcc, gmcc_both, gmcc_centred};
 pub use kinetics::Kinetics;
 
 use crate::path::Path;

@@ -80,13 +80,13 @@ impl TrainingParams {
     /// Its box reaches further than the paper's, whose optima mostly lie on the
     /// edge. alpha_z begins where a start that is off no longer matters at the goal:
     /// of the offset, (1 + alpha_z / 2) exp(-alpha_z / 2) is left after the motion's
-    /// time, 5e-5 at 25.
+    /// time, 2e-5 at 27.
     pub fn faithful(seed: u64) -> TrainingParams {
         TrainingParams {
             method: Method::Faithful,
             candidates: vec![2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 30, 40, 50],
             search: SearchBox {
-                low: [25, 100],
+                low: [27, 100],
                 high: [100, 1000],
                 step: [1, 10],
                 max_calls: 40,

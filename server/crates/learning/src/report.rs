@@ -39,6 +39,11 @@ pub struct Report {
     /// How far a left-out demonstration is from what the others teach, for each
     /// number of components; empty for the paper's method.
     pub left_out: Vec<LeftOut>,
+    /// Mean distance of the demonstrated points to the mean of the aligned
+    /// demonstrations, mm: what the alignment alone allows, beside
+    /// `fidelity.missed_mean_mm`.
+    #[serde(default)]
+    pub alignment_missed_mean_mm: Option<f64>,
     /// Stiffness of the spring.
     pub alpha_z: f64,
     /// Number of basis functions.
@@ -89,6 +94,9 @@ pub struct NoiseFigures {
     pub gmcc: f64,
     /// Smallest GMCC.
     pub gmcc_min: f64,
+    /// Mean GMCC with intercept (both curves centred).
+    #[serde(default)]
+    pub gmcc_centred: Option<f64>,
     /// Mean e_j, degrees.
     pub e_j_deg: f64,
     /// Largest e_j, degrees.

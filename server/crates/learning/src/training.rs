@@ -51,6 +51,7 @@ pub fn train(
         )?);
         counter.step()?;
     }
+    let gmcc = metrics::gmcc_both(&taught, &regression.mean_deg);
     let report = Report {
         task: task.to_string(),
         method: params.method,
@@ -69,6 +70,7 @@ pub fn train(
                 ..s
             })
             .collect(),
+        alignment_missed_mean_mm: metrics::missed_mean_mm(demonstrations, &encoding.middle_deg),
         alpha_z: primitive.alpha_z,
         n_basis: primitive.n_basis(),
         objective: optimum.best.value,
@@ -76,8 +78,8 @@ pub fn train(
         bo_calls: optimum.evaluations.len(),
         on_bound: !on_bound_of(&optimum, params).is_empty(),
         on_bound_of: on_bound_of(&optimum, params),
-        gmcc: metrics::gmcc(&taught, &regression.mean_deg),
-        gmcc_centred: metrics::gmcc_centred(&taught, &regression.mean_deg),
+        gmcc: gmcc.published,
+        gmcc_centred: gmcc.centred,
         e_j_deg: metrics::e_j_deg(taught.last(), &primitive.goal_deg),
         start_noise,
         fidelity: metrics::fidelity(demonstrations, &taught, primitive.dt_s),
@@ -185,7 +187,7 @@ fn noise_figures(
 ) -> Result<NoiseFigures, Error> {
     let mut rng = Stream::derive(seed, &[STREAM_NOISE, noise_deg.to_bits()]);
     let landscape = primitive.landscape();
-    let (mut gmccs, mut errors) = (Vec::new(), Vec::new());
+    let (mut gmccs, mut centred, mut errors) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..NOISE_RUNS {
         let start: Vec<f64> = primitive
             .start_deg
@@ -193,7 +195,9 @@ fn noise_figures(
             .map(|q| q + noise_deg * rng.normal())
             .collect();
         let path = landscape.rollout(&start, &primitive.goal_deg, Extent::AsTaught)?;
-        gmccs.push(metrics::gmcc(&path, &regression.mean_deg));
+        let both = metrics::gmcc_both(&path, &regression.mean_deg);
+        gmccs.push(both.published);
+        centred.push(both.centred);
         errors.push(metrics::e_j_deg(path.last(), &primitive.goal_deg));
     }
     Ok(NoiseFigures {
@@ -201,6 +205,7 @@ fn noise_figures(
         runs: NOISE_RUNS,
         gmcc: mean(&gmccs),
         gmcc_min: gmccs.iter().copied().fold(f64::INFINITY, f64::min),
+        gmcc_centred: Some(mean(&centred)),
         e_j_deg: mean(&errors),
         e_j_max_deg: errors.iter().copied().fold(0.0, f64::max),
     })

@@ -81,34 +81,43 @@ fn the_papers_method_reproduces_within_the_papers_figures() {
 }
 
 /// Missed over mutual: the published program needs 0.90 to 2.11 by its protocol,
-/// the plain mean of its aligned demonstrations 0.66 to 0.83.
+/// the plain mean of its aligned demonstrations 0.66 to 0.83, a barycentre without a
+/// model 0.54 to 0.64.
 #[test]
-fn the_faithful_path_stays_within_the_bundle_from_start_to_end() {
+fn the_faithful_path_runs_through_the_middle_of_the_bundle_from_start_to_end() {
     for (task, demonstrations) in tasks() {
         let report = report(task, &demonstrations, Method::Faithful);
         assert_reproduces(&report);
+        for noise in &report.start_noise {
+            assert!(noise.e_j_max_deg <= 0.001, "{task}: {noise:?}");
+            assert!(noise.gmcc_centred.unwrap() >= 0.999, "{task}: {noise:?}");
+        }
         let fidelity = report.fidelity.as_ref().unwrap();
         let ratio = fidelity.missed_over_mutual.unwrap();
+        let alignment = report.alignment_missed_mean_mm.unwrap();
         println!(
-            "{task} faithful: missed over mutual {ratio:.3}; {}",
+            "{task} faithful: missed over mutual {ratio:.3}, the alignment's own mean {:.3}; {}",
+            alignment / fidelity.mutual_mean_mm.unwrap(),
             report.agreement.advice
         );
-        assert!(ratio < 0.75, "{task}: {ratio}");
+        assert!(ratio <= 0.65, "{task}: {ratio}");
+        assert!(fidelity.missed_mean_mm <= 1.05 * alignment, "{task}");
+        let mutual_max_mm = fidelity.mutual_max_mm.unwrap();
+        assert!(fidelity.missed_max_mm <= mutual_max_mm, "{task}");
+        assert!(fidelity.off_path_max_mm <= 0.5 * mutual_max_mm, "{task}");
         let farthest = |distances: &[f64]| distances.iter().copied().fold(0.0, f64::max);
         assert!(
-            farthest(&fidelity.start_mm) <= fidelity.start_spread_mm + 1.0,
+            farthest(&fidelity.start_mm) <= fidelity.start_spread_mm,
             "{task}"
         );
         assert!(
-            farthest(&fidelity.end_mm) <= fidelity.end_spread_mm + 1.0,
+            farthest(&fidelity.end_mm) <= fidelity.end_spread_mm,
             "{task}"
         );
         let (ours, shown) = (&fidelity.reproduction, &fidelity.demonstrations);
-        assert!(ours.peak_speed_deg_s <= shown.peak_speed_deg_s, "{task}");
         assert!(
-            ours.peak_acceleration_deg_s2 <= shown.peak_acceleration_deg_s2,
+            ours.peak_acceleration_deg_s2 <= 1.1 * shown.peak_acceleration_deg_s2,
             "{task}"
         );
-        assert!(ours.peak_jerk_deg_s3 <= shown.peak_jerk_deg_s3, "{task}");
     }
 }

@@ -10,8 +10,9 @@
 use super::{Aligned, barycentre::mean_of};
 use crate::{Path, demonstration::tool_path_mm};
 
-/// Strengths of the weight by pace that are tried, the strongest first.
-const STRENGTHS: [f64; 4] = [1.0, 0.5, 0.25, 0.0];
+/// Strengths of the weight by pace that are tried, the strongest first; where none
+/// will do, pace has no weight.
+const STRENGTHS: [f64; 3] = [1.0, 0.5, 0.25];
 /// Distances are not told apart below the unsteadiness of a hand: millimetres of the
 /// tool, or degrees of the joints where the tool is not known.
 const UNSTEADY_MM: f64 = 5.0;
@@ -33,7 +34,7 @@ pub fn centred(aligned: &Aligned, clocks_s: &[Vec<f64>]) -> Aligned {
     }
     let bundle = Bundle::of(aligned, clocks_s);
     let shown = bundle.length_shown();
-    let mut centre = mean_of(&aligned.joints_deg);
+    let mut centre = bundle.centre(0.0);
     for strength in STRENGTHS {
         let candidate = bundle.centre(strength);
         if bundle.length(&places(&candidate).0) <= shown {
@@ -206,4 +207,106 @@ fn smoothed(values: &[f64], half: usize) -> Vec<f64> {
         }
     }
     values
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::timeline::even_times;
+
+    const SAMPLES: usize = 200;
+
+    /// A swing of all joints, each take off by its own constant angle and with a
+    /// tremor of its own.
+    fn takes(offsets_deg: &[f64], tremor_deg: f64) -> (Aligned, Vec<Vec<f64>>) {
+        let t_s = even_times(2.0, (SAMPLES - 1) as f64 / 2.0);
+        let take = |number: usize, off: f64| {
+            Path::from_rows(
+                6,
+                t_s.iter().map(|t| {
+                    let tremor = tremor_deg * (20.0 * t + 2.0 * number as f64).sin();
+                    let swing = 20.0 * (1.5 * t).sin() + tremor;
+                    [swing, 30.0 + off, swing, -swing, 40.0 + off, off]
+                }),
+            )
+        };
+        let joints_deg = (0..)
+            .zip(offsets_deg)
+            .map(|(i, &off)| take(i, off))
+            .collect();
+        let clocks_s = vec![t_s.clone(); offsets_deg.len()];
+        let aligned = Aligned {
+            reference: 0,
+            t_s,
+            joints_deg,
+        };
+        (aligned, clocks_s)
+    }
+
+    fn furthest(a: &Path, b: &Path) -> f64 {
+        (0..a.len())
+            .flat_map(|i| a.row(i).iter().zip(b.row(i)).map(|(p, q)| (p - q).abs()))
+            .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn one_odd_take_does_not_pull_the_others_away() {
+        let (aligned, clocks) = takes(&[0.0, 0.3, -0.3, 12.0], 0.1);
+        let centre = mean_of(&centred(&aligned, &clocks).joints_deg);
+        let off_centre = furthest(&centre, &aligned.joints_deg[0]);
+        let off_mean = furthest(&mean_of(&aligned.joints_deg), &aligned.joints_deg[0]);
+        assert!(
+            off_mean > 2.9 && off_centre < 0.5,
+            "{off_mean} {off_centre}"
+        );
+    }
+
+    #[test]
+    fn where_one_take_slows_down_its_word_counts_more() {
+        let (aligned, mut clocks) = takes(&[-0.2, 0.2], 2.0);
+        // The second take spends 1.9 s of its own on the second half, 0.1 s on the first.
+        for (i, t) in clocks[1].iter_mut().enumerate() {
+            let u = i as f64 / (SAMPLES - 1) as f64;
+            *t = if u < 0.5 {
+                0.2 * u
+            } else {
+                0.1 + 3.8 * (u - 0.5)
+            };
+        }
+        let centre = mean_of(&centred(&aligned, &clocks).joints_deg);
+        let middle = mean_of(&aligned.joints_deg);
+        let shift = |i: usize| centre.row(i)[5] - middle.row(i)[5];
+        assert!(shift(SAMPLES / 5) < -0.02, "{}", shift(SAMPLES / 5));
+        assert!(shift(SAMPLES * 4 / 5) > 0.02, "{}", shift(SAMPLES * 4 / 5));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(16))]
+
+        /// What takes differ by stays, and the middle is within them.
+        #[test]
+        fn takes_are_moved_alike_and_their_middle_is_among_them(
+            offsets in proptest::collection::vec(-10.0..10.0f64, 1..6),
+        ) {
+            let (aligned, clocks) = takes(&offsets, 0.1);
+            let moved = centred(&aligned, &clocks);
+            for (a, b) in aligned.joints_deg.iter().zip(&moved.joints_deg) {
+                for i in [0, SAMPLES / 2, SAMPLES - 1] {
+                    let before = a.row(i)[5] - aligned.joints_deg[0].row(i)[5];
+                    let after = b.row(i)[5] - moved.joints_deg[0].row(i)[5];
+                    prop_assert!((before - after).abs() < 1e-9);
+                }
+            }
+            let centre = mean_of(&moved.joints_deg);
+            let (least, most) = offsets.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| {
+                (f64::min(a, x), f64::max(b, x))
+            });
+            for i in 0..SAMPLES {
+                let off = centre.row(i)[5];
+                prop_assert!(off >= least - 1e-9 && off <= most + 1e-9);
+            }
+        }
+    }
 }

@@ -94,6 +94,17 @@ pub fn fidelity(
     })
 }
 
+/// Mean distance of the demonstrated points to a path of the joints (mean of the
+/// demonstrations' means), mm. None unless all are six-joint paths.
+pub fn missed_mean_mm(demonstrations: &[Demonstration], path_deg: &Path) -> Option<f64> {
+    let path = Tool::path(&tool_path_mm(path_deg)?);
+    let missed = demonstrations
+        .iter()
+        .map(|d| Some(mean_and_max(&Tool::path(&d.tool_path_mm()?), &path).0))
+        .collect::<Option<Vec<f64>>>()?;
+    Some(mean(missed.into_iter()))
+}
+
 /// For each demonstration the mean of d(p, this one) over the points of the
 /// others; the mean of these, and the overall maximum.
 fn mutual(shown: &[Tool]) -> Option<(f64, f64)> {

@@ -6,21 +6,35 @@ use nalgebra::DMatrix;
 
 use crate::path::Path;
 
-/// GMCC without intercept, as published: the mean of both directions, each
+/// Both forms of the coefficient, each the mean of both directions,
 /// |R H - mean(Y)| / |Y - mean(Y)| with H minimising |R H - Y| (Frobenius norms).
-/// The shorter curve is padded with its last row.
-pub fn gmcc(a: &Path, b: &Path) -> f64 {
-    let curves = Curves::of(a, b);
-    symmetric(&curves, &curves.a, &curves.b)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gmcc {
+    /// Without intercept, as published.
+    pub published: f64,
+    /// With intercept, which is that of both curves centred: unlike the published form
+    /// it is invariant to translation and never above 1.
+    pub centred: f64,
 }
 
-/// GMCC with intercept, which is that of both curves centred: unlike the published
-/// form it is invariant to translation and never above 1.
-pub fn gmcc_centred(a: &Path, b: &Path) -> f64 {
+/// Both forms for two curves; the shorter one is padded with its last row.
+pub fn gmcc_both(a: &Path, b: &Path) -> Gmcc {
     let curves = Curves::of(a, b);
     let centred = |m: &DMatrix<f64>| m - &curves.ones * curves.mean(m);
-    let (a, b) = (centred(&curves.a), centred(&curves.b));
-    symmetric(&curves, &a, &b)
+    Gmcc {
+        published: symmetric(&curves, &curves.a, &curves.b),
+        centred: symmetric(&curves, &centred(&curves.a), &centred(&curves.b)),
+    }
+}
+
+/// [`Gmcc::published`].
+pub fn gmcc(a: &Path, b: &Path) -> f64 {
+    gmcc_both(a, b).published
+}
+
+/// [`Gmcc::centred`].
+pub fn gmcc_centred(a: &Path, b: &Path) -> f64 {
+    gmcc_both(a, b).centred
 }
 
 fn symmetric(curves: &Curves, a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {

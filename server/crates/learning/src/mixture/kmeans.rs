@@ -77,10 +77,10 @@ impl<const D: usize> Clusters<D> {
                 let (from, x) = (held(sample), data.sample(sample));
                 self.counts[from] -= 1.0;
                 self.counts[empty] = 1.0;
-                for d in 0..D {
-                    self.sums[from][d] -= x[d];
-                    self.sums[empty][d] = x[d];
+                for (sum, x) in self.sums[from].iter_mut().zip(x) {
+                    *sum -= x;
                 }
+                self.sums[empty][..D].copy_from_slice(&x);
                 self.labels[sample] = empty as u16;
             }
         }

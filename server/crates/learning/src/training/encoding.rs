@@ -1,7 +1,7 @@
 //! From demonstrations to the motion they have in common, by either method.
 
 use crate::{
-    Demonstration, Error, TrainingParams,
+    Demonstration, Error, Path, TrainingParams,
     agreement::{Agreement, agreement},
     alignment::{self, Aligned, barycentre, centre},
     metrics::Kinetics,
@@ -28,6 +28,8 @@ pub struct Encoding {
     pub mixture: Mixture,
     pub course: Course,
     pub regression: Regression,
+    /// Mean of the aligned demonstrations.
+    pub middle_deg: Path,
     pub agreement: Agreement,
 }
 
@@ -68,6 +70,7 @@ pub fn by_the_paper(
         left_out: Vec::new(),
         mixture,
         agreement: agreement(demonstrations, &aligned),
+        middle_deg: barycentre::mean_of(&aligned.joints_deg),
         course,
         regression,
     })
@@ -132,6 +135,7 @@ pub fn faithfully(
         left_out: tried.into_iter().map(|t| t.left_out).collect(),
         mixture: fitted.mixture,
         agreement: agreement(demonstrations, &aligned),
+        middle_deg: barycentre::mean_of(&aligned.joints_deg),
         course,
         regression: fitted.regression,
     })
