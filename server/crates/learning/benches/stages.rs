@@ -17,7 +17,11 @@ use std::sync::LazyLock;
 use divan::Bencher;
 use learning::{
     Demonstration, Method, TrainingParams,
-    alignment::{self, Aligned, barycentre},
+    alignment::{
+        self, Aligned,
+        barycentre::{self, Barycentre},
+        centre,
+    },
     dmp::{self, Extent, Imitation, MovementPrimitive},
     mixture::{self, Mixture, Rows},
     optimisation,
@@ -38,7 +42,7 @@ struct Task {
     name: &'static str,
     demonstrations: Vec<Demonstration>,
     aligned: Aligned,
-    mean: Aligned,
+    barycentre: Barycentre,
     rows: Vec<f64>,
     mixtures: [Mixture; 2],
     regression: Regression,
@@ -55,7 +59,8 @@ static TASKS: LazyLock<Vec<Task>> = LazyLock::new(|| {
 impl Task {
     fn new(name: &'static str, demonstrations: Vec<Demonstration>) -> Task {
         let aligned = alignment::align(&demonstrations, 100.0, &mut |_, _| Ok(())).unwrap();
-        let mean = barycentre::align_to_mean(&demonstrations, 100.0, &mut |_, _| Ok(())).unwrap();
+        let barycentre =
+            barycentre::align_to_mean(&demonstrations, 100.0, &mut |_, _| Ok(())).unwrap();
         let all: Vec<usize> = (0..demonstrations.len()).collect();
         let rows = aligned.rows(&all);
         let fit = |seed: u64| {
@@ -71,7 +76,7 @@ impl Task {
             name,
             demonstrations,
             aligned,
-            mean,
+            barycentre,
             rows,
             mixtures,
             regression,
@@ -126,6 +131,12 @@ fn alignment_faithful(bencher: Bencher, name: &str) {
     bencher.bench(|| barycentre::align_to_mean(takes, 100.0, &mut |_, _| Ok(())));
 }
 
+#[divan::bench(args = names(), sample_count = 10, sample_size = 1)]
+fn middle_of_the_bundle(bencher: Bencher, name: &str) {
+    let found = &task(name).barycentre;
+    bencher.bench(|| centre::centred(&found.aligned, &found.clocks_s));
+}
+
 /// One fit of five components, k-means included.
 #[divan::bench(args = names(), sample_count = 20, sample_size = 1)]
 fn mixture_of_5(bencher: Bencher, name: &str) {
@@ -134,11 +145,11 @@ fn mixture_of_5(bencher: Bencher, name: &str) {
     bencher.bench(|| mixture::fit(rows, &chosen, K, &mut Stream::derive(1, &[])));
 }
 
-/// One fit of twelve components that begin as stretches of time.
+/// One fit of fifty components that begin as stretches of time.
 #[divan::bench(args = names(), sample_count = 20, sample_size = 1)]
-fn mixture_along_time_of_12(bencher: Bencher, name: &str) {
+fn mixture_along_time_of_50(bencher: Bencher, name: &str) {
     let rows = task(name).rows();
-    bencher.bench(|| mixture::fit_along_time(rows, 12));
+    bencher.bench(|| mixture::fit_along_time(rows, 50));
 }
 
 /// k = 2..9 with 4 halves each instead of 50.
@@ -154,7 +165,7 @@ fn selection_paper_4_splits(bencher: Bencher, name: &str) {
 
 #[divan::bench(args = names(), sample_count = 5, sample_size = 1)]
 fn selection_faithful(bencher: Bencher, name: &str) {
-    let aligned = &task(name).mean;
+    let aligned = &task(name).barycentre.aligned;
     let candidates = TrainingParams::faithful(1).candidates;
     bencher.bench(|| selection::leave_one_out(aligned, &candidates, 1, &|| Ok(())));
 }

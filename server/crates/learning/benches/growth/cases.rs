@@ -85,7 +85,7 @@ impl Case {
         add("length", FAITHFUL, &lengths);
         add("length", PAPER_BRIEF, &[10, 60, 180, LONG_S].map(length));
         let components = |k: usize| (3, 60, k);
-        let ks = [2, 3, 5, 8, 12, 16, 20, 25, 30].map(components);
+        let ks = [2, 3, 5, 8, 12, 20, 30, 50].map(components);
         add("components", ALONG_TIME, &ks);
         add("components", FROM_KMEANS, &ks);
         cases
