@@ -6,6 +6,7 @@
     reason = "a test stops at what it does not expect"
 )]
 
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
@@ -85,23 +86,47 @@ fn it_reproduces_from_another_start_to_another_goal() {
     }
 }
 
+/// The model's file, computed in a pool of its own, and the sizes of the pools in
+/// which the steps were reported; 0 for a step outside every pool.
+fn computed_in_a_pool(threads: usize, params: &TrainingParams) -> (String, BTreeSet<usize>) {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .unwrap();
+    let sizes = Mutex::new(BTreeSet::new());
+    let model = pool.install(|| {
+        train("pick", &takes(), params, &|_| {
+            let size = rayon::current_thread_index().map_or(0, |_| rayon::current_num_threads());
+            sizes.lock().unwrap().insert(size);
+            ControlFlow::Continue(())
+        })
+    });
+    (model.unwrap().to_json(), sizes.into_inner().unwrap())
+}
+
 #[test]
 fn the_same_demonstrations_and_seed_give_the_same_bytes_on_any_number_of_threads() {
-    let bytes = |threads: usize, params: &TrainingParams| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| with(&takes(), params).to_json())
-    };
     for params in methods(7) {
-        let one = bytes(1, &params);
-        assert_eq!(one, bytes(2, &params));
+        let (one, _) = computed_in_a_pool(1, &params);
+        for threads in [2, 4] {
+            let (same, _) = computed_in_a_pool(threads, &params);
+            assert_eq!(one, same, "{threads} threads");
+        }
         let other = TrainingParams {
             seed: 8,
             ..params.clone()
         };
-        assert_ne!(one, bytes(1, &other));
+        assert_ne!(one, computed_in_a_pool(1, &other).0);
+    }
+}
+
+#[test]
+fn every_step_runs_in_the_pool_that_the_caller_installs() {
+    for params in methods(7) {
+        for threads in [1, 2, 4] {
+            let (_, sizes) = computed_in_a_pool(threads, &params);
+            assert_eq!(sizes, BTreeSet::from([threads]), "{:?}", params.method);
+        }
     }
 }
 
