@@ -22,7 +22,7 @@ pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> 
     let m = demonstrations.len();
     let signals: Vec<Path> = demonstrations
         .iter()
-        .map(|d| thinned(&d.alignment_signal()))
+        .map(|d| thinned(&d.alignment_signal(), d.duration_s()))
         .collect();
     let tool_known = demonstrations.iter().all(|d| d.tool_path_mm().is_some());
     let least = if tool_known {
@@ -32,7 +32,7 @@ pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> 
     };
     let joints: Vec<Path> = demonstrations
         .iter()
-        .map(|d| thinned(d.joints_deg()))
+        .map(|d| thinned(d.joints_deg(), d.duration_s()))
         .collect();
     let mut distances = vec![0.0; m * m];
     for i in 0..m {
@@ -64,10 +64,13 @@ pub fn check_same_motion(demonstrations: &[Demonstration]) -> Result<(), Error> 
 
 /// At most this many samples are compared: motions differ in the large.
 const COMPARED_SAMPLES: usize = 500;
+/// But a long motion in so many a second: further apart, two takes would differ by
+/// where on the way their samples happen to lie.
+const COMPARED_RATE_HZ: f64 = 5.0;
 
-fn thinned(path: &Path) -> Path {
+fn thinned(path: &Path, duration_s: f64) -> Path {
     let n = path.len();
-    let count = n.min(COMPARED_SAMPLES);
+    let count = n.min(COMPARED_SAMPLES.max((COMPARED_RATE_HZ * duration_s) as usize));
     let pick = |i: usize| i * (n - 1) / (count - 1);
     Path::from_rows(path.width(), (0..count).map(|i| path.row(pick(i))))
 }

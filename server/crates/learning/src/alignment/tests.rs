@@ -171,3 +171,30 @@ fn alignment_can_be_cancelled() {
     let result = align(&takes, 100.0, &mut |_, _| Err(Error::Cancelled));
     assert_eq!(result.unwrap_err(), Error::Cancelled);
 }
+
+#[test]
+fn ten_minutes_of_one_motion_are_one_motion() {
+    // From pose to pose in 1.5 s each, every take at a pace of its own.
+    let mut rng = crate::rng::Stream::derive(1, &[]);
+    let mut draw = |reach: f64| reach * (2.0 * rng.uniform() - 1.0);
+    let poses: Vec<Vec<f64>> = (0..=400)
+        .map(|_| {
+            let [swing, reach, wrist, turn] = [60.0, 25.0, 40.0, 90.0].map(&mut draw);
+            vec![swing, 10.0 + reach, 10.0 - reach, wrist, 40.0, turn]
+        })
+        .collect();
+    let takes: Vec<Demonstration> = (0..3)
+        .map(|number| {
+            let mut begins = vec![0.0];
+            for at in 0..400 {
+                begins.push(begins[at] + 1.5 + draw(0.5));
+            }
+            let poses = Path::from_rows(6, &poses);
+            let times = even_times(begins[400], 20.0);
+            let joints = interpolate(&begins, &poses, &times);
+            let rows = joints.rows().map(<[f64]>::to_vec).collect();
+            Demonstration::new(format!("take {number}"), times, rows, None).unwrap()
+        })
+        .collect();
+    groups::check_same_motion(&takes).unwrap();
+}
