@@ -17,6 +17,9 @@ use crate::{
     timeline::{even_times, interpolate},
 };
 
+/// Longer recordings are thinned, so that the table of a warping, two bits for each
+/// pair of samples, stays below 0.4 GB: ten minutes at 66 Hz are left as they are.
+const MOST_SAMPLES: usize = 40_000;
 /// Free samples at both ends of both series.
 const PSI: usize = 2;
 
@@ -59,9 +62,12 @@ pub fn align(
     rate_hz: f64,
     step: &mut dyn FnMut(usize, usize) -> Result<(), Error>,
 ) -> Result<Aligned, Error> {
+    let longest = demonstrations.iter().map(|d| d.joints_deg().len()).max();
+    let stride = longest.unwrap_or(0).div_ceil(MOST_SAMPLES).max(1);
+    let thinned = |path: &Path| Path::from_rows(path.width(), path.rows().step_by(stride));
     let signals: Vec<Path> = demonstrations
         .iter()
-        .map(Demonstration::alignment_signal)
+        .map(|d| thinned(&d.alignment_signal()))
         .collect();
     let m = demonstrations.len();
     let pairs = m * (m - 1) / 2;
@@ -79,16 +85,21 @@ pub fn align(
     }
     groups::check_same_motion(demonstrations)?;
     let reference = medoid(&distances, m);
-    let times = demonstrations[reference].times_s();
+    let times: Vec<f64> = demonstrations[reference]
+        .times_s()
+        .iter()
+        .step_by(stride)
+        .copied()
+        .collect();
     let mut joints_deg = Vec::with_capacity(m);
     for (i, demonstration) in demonstrations.iter().enumerate() {
         let on_axis = if i == reference {
-            demonstration.joints_deg().clone()
+            thinned(demonstration.joints_deg())
         } else {
             let warping = dtw::warp(&signals[reference], &signals[i], PSI);
             done += 1;
             step(done, total.max(1))?;
-            carry_over(demonstration.joints_deg(), &warping, times.len())
+            carry_over(&thinned(demonstration.joints_deg()), &warping, times.len())
         };
         joints_deg.push(on_axis);
     }

@@ -20,6 +20,8 @@ use crate::{
     statistics::mean,
 };
 
+/// A k is nearly as good as the best when it misses at most this much more.
+const NEARLY: f64 = 1.05;
 /// Points of a left-out demonstration that are asked for their distance.
 const POINTS: usize = 1000;
 /// Most demonstrations that are left out in turn.
@@ -98,11 +100,13 @@ pub fn leave_one_out(
         .collect()
 }
 
-/// The candidates' numbers of components, the one that misses least first, the
-/// smaller one of equals.
+/// The numbers of components that miss nearly as little as the best, the best first,
+/// the smaller one of equals.
 pub fn by_missed(tried: &[Tried]) -> Vec<usize> {
     let mut order: Vec<&LeftOut> = tried.iter().map(|t| &t.left_out).collect();
     order.sort_by(|a, b| a.missed.total_cmp(&b.missed).then(a.k.cmp(&b.k)));
+    let least = order.first().map_or(0.0, |best| best.missed);
+    order.retain(|t| t.missed <= NEARLY * least);
     order.iter().map(|t| t.k).collect()
 }
 
