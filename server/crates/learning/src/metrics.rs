@@ -6,10 +6,10 @@ mod gmcc;
 mod kinetics;
 
 pub use fidelity::{Fidelity, fidelity, missed_mean_mm};
-pub use gmcc::{Gmcc, gmcc, gmcc_both, gmcc_centred};
+pub use gmcc::{Gmcc, gmcc, gmcc_both};
 pub use kinetics::Kinetics;
 
-use crate::path::Path;
+use crate::path::{Path, squared_distance};
 
 /// Mean over the joints of |end - goal|, degrees (e_j of the paper).
 pub fn e_j_deg(end_deg: &[f64], goal_deg: &[f64]) -> f64 {
@@ -27,10 +27,10 @@ pub fn objective(reproduction_deg: &Path, regression_deg: &Path) -> f64 {
     let sum: f64 = reproduction_deg
         .rows()
         .zip(regression_deg.rows())
-        .map(|(y, reference)| distance(y, reference))
+        .map(|(y, reference)| squared_distance(y, reference).sqrt())
         .sum();
     sum / (regression_deg.len() as f64).sqrt()
-        + distance(reproduction_deg.last(), regression_deg.last())
+        + squared_distance(reproduction_deg.last(), regression_deg.last()).sqrt()
 }
 
 /// Objective as the paper's text prints it, with the root mean square, degrees.
@@ -38,18 +38,10 @@ pub fn objective_rms(reproduction_deg: &Path, regression_deg: &Path) -> f64 {
     let sum: f64 = reproduction_deg
         .rows()
         .zip(regression_deg.rows())
-        .map(|(y, reference)| distance(y, reference).powi(2))
+        .map(|(y, reference)| squared_distance(y, reference))
         .sum();
     (sum / regression_deg.len() as f64).sqrt()
-        + distance(reproduction_deg.last(), regression_deg.last())
-}
-
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(x, y)| (x - y) * (x - y))
-        .sum::<f64>()
-        .sqrt()
+        + squared_distance(reproduction_deg.last(), regression_deg.last()).sqrt()
 }
 
 #[cfg(test)]

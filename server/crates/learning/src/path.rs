@@ -3,6 +3,11 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Squared distance of two points of equal width.
+pub(crate) fn squared_distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum()
+}
+
 /// n rows of `width` values, row after row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Path {

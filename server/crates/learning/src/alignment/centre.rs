@@ -8,7 +8,7 @@
 //! path does not become longer than what was shown.
 
 use super::{Aligned, barycentre::mean_of};
-use crate::{Path, demonstration::tool_path_mm};
+use crate::{Path, demonstration::tool_path_mm, path::squared_distance};
 
 /// Strengths of the weight by pace that are tried, the strongest first; where none
 /// will do, pace has no weight.
@@ -158,7 +158,7 @@ impl Bundle<'_> {
                     .iter()
                     .zip(&paces)
                     .map(|(path, pace)| {
-                        let square = squared(path.row(i), &middle) + self.near * self.near;
+                        let square = squared_distance(path.row(i), &middle) + self.near * self.near;
                         pace / square.sqrt()
                     })
                     .collect(),
@@ -170,7 +170,7 @@ impl Bundle<'_> {
     fn length(&self, places: &Path) -> f64 {
         let at: Vec<usize> = (0..places.len()).step_by(self.stride).collect();
         at.windows(2)
-            .map(|pair| squared(places.row(pair[0]), places.row(pair[1])).sqrt())
+            .map(|pair| squared_distance(places.row(pair[0]), places.row(pair[1])).sqrt())
             .sum()
     }
 
@@ -187,10 +187,6 @@ fn normalised(mut weights: Vec<f64>) -> Vec<f64> {
         *weight /= total;
     }
     weights
-}
-
-fn squared(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum()
 }
 
 /// Three running means, which together are nearly a bell.

@@ -4,7 +4,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::Kinetics;
-use crate::{Demonstration, demonstration::tool_path_mm, nearest::Curve, path::Path};
+use crate::{
+    Demonstration,
+    demonstration::tool_path_mm,
+    nearest::Curve,
+    path::{Path, squared_distance},
+};
 
 /// Distances between tool paths, mm. d(p, C) is the distance of a point to the
 /// nearest sample of a curve.
@@ -66,10 +71,13 @@ pub fn fidelity(
     let ends = |pick: fn(&Path) -> &[f64]| -> (Vec<f64>, f64) {
         let points: Vec<&[f64]> = shown.iter().map(|d| pick(&d.points)).collect();
         let reached = pick(&path.points);
-        let from_path = points.iter().map(|p| distance(p, reached)).collect();
+        let from_path = points
+            .iter()
+            .map(|p| squared_distance(p, reached).sqrt())
+            .collect();
         let spread = points
             .iter()
-            .flat_map(|p| points.iter().map(move |q| distance(p, q)))
+            .flat_map(|p| points.iter().map(move |q| squared_distance(p, q).sqrt()))
             .fold(0.0, f64::max);
         (from_path, spread)
     };
@@ -147,14 +155,6 @@ impl Tool {
             points,
         }
     }
-}
-
-fn distance(p: &[f64], q: &[f64]) -> f64 {
-    p.iter()
-        .zip(q)
-        .map(|(a, b)| (a - b) * (a - b))
-        .sum::<f64>()
-        .sqrt()
 }
 
 fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {

@@ -32,11 +32,6 @@ pub fn gmcc(a: &Path, b: &Path) -> f64 {
     gmcc_both(a, b).published
 }
 
-/// [`Gmcc::centred`].
-pub fn gmcc_centred(a: &Path, b: &Path) -> f64 {
-    gmcc_both(a, b).centred
-}
-
 fn symmetric(curves: &Curves, a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
     0.5 * (curves.one_way(a, b) + curves.one_way(b, a))
 }
