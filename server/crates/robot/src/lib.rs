@@ -33,6 +33,6 @@ pub use config::{RobotConfig, RobotKind};
 pub use error::{Fault, RobotError};
 pub use guidance::{GuidanceEvent, GuidanceSample, HandActivity, HandCommand, HandScript};
 pub use handle::Robot;
-pub use player::RunPhase;
+pub use player::{RunPhase, SLOWEST};
 pub use run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
 pub use view::{EgmView, RobotState, RobotView};

@@ -24,6 +24,10 @@ pub struct RunProgress {
     pub t_s: f64,
     /// Duration of the plan, s.
     pub duration_s: f64,
+    /// Speed that was asked for, as a share of the plan's.
+    pub speed: f64,
+    /// A person asked for a pause.
+    pub paused: bool,
 }
 
 /// How a run ended.

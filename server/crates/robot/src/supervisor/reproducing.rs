@@ -17,8 +17,9 @@ use tokio::sync::{oneshot, watch};
 
 /// A pose older than this is not where the arm stands, µs.
 const POSE_AGE_US: u64 = 1_000_000;
-/// Longest wait for the control thread to report an end that it was asked for.
-const THREAD_PATIENCE: Duration = Duration::from_secs(1);
+/// Longest wait for the control thread to report an end that it was asked for: an arm at the
+/// limits of its joints takes about a second to come to rest.
+const THREAD_PATIENCE: Duration = Duration::from_secs(2);
 /// Space for records: the plan, its ends, and some delay.
 const RECORDS_PER_S: f64 = 260.0;
 const RECORD_RESERVE_S: f64 = 8.0;
@@ -83,11 +84,15 @@ impl Supervisor {
         let client = self.idle_client()?;
         self.check_pose(&plan.first())?;
         self.runs += 1;
+        self.links.flags.set_paused(false);
+        self.links.flags.set_speed(1.0);
         let duration_s = plan.duration_s();
         let (progress, progress_out) = watch::channel(RunProgress {
             phase: RunPhase::Approach,
             t_s: 0.0,
             duration_s,
+            speed: 1.0,
+            paused: false,
         });
         let (outcome, outcome_out) = oneshot::channel();
         let records = (duration_s + RECORD_RESERVE_S) * RECORDS_PER_S;
@@ -159,7 +164,8 @@ impl Supervisor {
     pub(super) fn attend_run(&mut self) {
         let now = Instant::now();
         let egm_is_fresh = self.seen.egm_is_fresh(self.now_us());
-        let stops = self.links.flags.stops();
+        let flags = &self.links.flags;
+        let (stops, speed, paused) = (flags.stops(), flags.speed(), flags.is_paused());
         let Mode::Run(slot) = &mut self.mode else {
             return;
         };
@@ -200,6 +206,8 @@ impl Supervisor {
                     slot.progress.send_modify(|progress| {
                         progress.phase = run.phase;
                         progress.t_s = run.plan_t_s;
+                        progress.speed = speed;
+                        progress.paused = paused;
                     });
                 }
                 let never_began = run.is_none() && now >= *since + THREAD_PATIENCE;
