@@ -167,7 +167,7 @@ impl Controller {
         };
         Some(Outgoing {
             session: session.id,
-            message: content.into_message(),
+            message: content.into_message(self.config.egm.messages),
             lost: self.faults.egm_lost,
         })
     }

@@ -30,7 +30,7 @@ use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-pub use config::{Config, EgmSettings, StopMode};
+pub use config::{Config, EgmSettings, MessageSet, StopMode};
 pub use error::Error;
 pub use faults::link::LinkFaults;
 pub use faults::script::{Direction, Fault, FaultScript, ScriptedFault};
