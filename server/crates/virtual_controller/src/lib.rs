@@ -2,7 +2,7 @@
 //! over HTTP, on real sockets, as a real cell does.
 //!
 //! Its state and physics ([`controller`], [`arm`], [`hand`]) know neither sockets nor clocks;
-//! [`egm_client`] and [`rws`] connect them. Other programs reach it through its sockets alone.
+//! [`egm_client`] and [`rws`] connect them, and [`simulation`] runs them without both. Other programs reach it through its sockets alone.
 //! Only one resource is not ABB's: `/virtual/hand`, with which a scripted hand guides the arm while
 //! lead-through is active.
 
@@ -17,8 +17,10 @@ pub mod error;
 pub mod events;
 pub mod faults;
 pub mod hand;
+mod line;
 pub mod rws;
 pub mod signals;
+pub mod simulation;
 
 use std::net::SocketAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -28,9 +30,12 @@ use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-pub use config::{Config, EgmSettings, StopMode};
+pub use config::{Config, EgmSettings, MessageSet, StopMode};
 pub use error::Error;
+pub use faults::link::LinkFaults;
+pub use faults::script::{Direction, Fault, FaultScript, ScriptedFault};
 pub use faults::{FaultSwitches, Faults};
+pub use simulation::{Datagram, SimulatedController};
 
 use controller::Controller;
 use egm_client::EgmClient;
