@@ -103,7 +103,7 @@ impl Session {
     pub fn disarm(&mut self) {
         if let Some(live) = &mut self.live {
             live.armed = false;
-            live.brakes_until_us = None;
+            live.brakes_for_us = None;
         }
     }
 
@@ -131,18 +131,25 @@ impl Session {
         }
 
         let live = self.live.as_mut()?;
-        if live.source != source {
-            let complete = complete?;
-            live.refuse(Hold::Stranger, arrival_us, &self.config);
-            self.visit(&complete, source);
-            return self.received(None, feedback, 0);
+        let moved = live.source != source;
+        if moved {
+            let complete = complete.as_ref()?;
+            if !live.is_continued_by(complete, &self.config) {
+                live.refuse(Hold::Stranger, &self.config);
+                self.visit(complete, source);
+                return self.received(None, feedback, 0);
+            }
+            live.source = source;
         }
         let waited_us = arrival_us.saturating_sub(live.last_arrival_us);
         if waited_us > self.config.late_after_us {
             self.counters.late += 1;
         }
         live.last_arrival_us = live.last_arrival_us.max(arrival_us);
-        let lost = live.take_in(complete, feedback, arrival_us, waited_us, &self.config);
+        let lost = live.take_in(complete, feedback, waited_us, &self.config);
+        if moved {
+            live.refuse(Hold::Moved, &self.config);
+        }
         self.counters.lost += u64::from(lost.unwrap_or(0));
         self.counters.repeated += u64::from(lost.is_none());
         self.received(None, feedback, lost.unwrap_or(0))
@@ -169,9 +176,12 @@ impl Session {
         }
         let live = self.live.as_mut()?;
         let elapsed_us = live.elapsed.take(self.config.max_advance_us);
+        live.brakes_for_us = live
+            .brakes_for_us
+            .and_then(|left_us| left_us.checked_sub(elapsed_us));
         let verdict = match wish {
             _ if !live.may_be_commanded => Err(Hold::NotApplied),
-            _ if !live.armed && live.brakes_until_us.is_none() => {
+            _ if !live.armed && live.brakes_for_us.is_none() => {
                 Err(live.hold.unwrap_or(Hold::NotArmed))
             }
             None => Err(Hold::NoSetpoint),
@@ -183,7 +193,7 @@ impl Session {
         };
         if matches!(verdict, Err(Hold::NotFinite | Hold::Jump)) {
             live.armed = false;
-            live.brakes_until_us = None;
+            live.brakes_for_us = None;
             self.counters.refused += 1;
         }
         let sequence = live.next_answer;
@@ -271,7 +281,7 @@ impl Session {
             mci_error: feedback.mci_state == Some(MciState::Error),
             motors_on: feedback.motor_state == Some(MotorState::MotorsOn),
             hold: live.hold,
-            brakes: live.brakes_until_us.is_some(),
+            brakes: live.brakes_for_us.is_some(),
             lost,
             session_age_us: live.last_arrival_us.saturating_sub(live.began_us),
         })

@@ -322,4 +322,6 @@ fn at_rest(joints: JointAngles) -> Setpoint {
 }
 
 #[cfg(test)]
+mod faults;
+#[cfg(test)]
 mod tests;

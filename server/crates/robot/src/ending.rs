@@ -72,6 +72,11 @@ fn held(hold: Hold) -> Fault {
             "the robot's control messages arrived in the wrong order",
             "Connect the server to the controller by a cable of its own.",
         ),
+        Hold::Moved => Fault::new(
+            "egm_moved",
+            "the robot's control messages came from another address in the middle of the motion",
+            "Check the network between the server and the controller, and that nothing restarts the robot program.",
+        ),
         Hold::Stranger => Fault::new(
             "egm_stranger",
             "a second robot sends control messages to the same port",

@@ -23,8 +23,9 @@ pub(super) struct Live {
     pub(super) reference: Setpoint,
     pub(super) may_be_commanded: bool,
     pub(super) armed: bool,
-    /// Until when setpoints go through although the session is not armed any more.
-    pub(super) brakes_until_us: Option<u64>,
+    /// For how much longer, in the arm's own time, setpoints go through although the session is
+    /// not armed any more.
+    pub(super) brakes_for_us: Option<u64>,
     pub(super) next_answer: SequenceNumber,
     /// What is wrong with the newest message, if anything.
     pub(super) hold: Option<Hold>,
@@ -48,7 +49,7 @@ impl Live {
             reference: at_rest(complete.measured),
             may_be_commanded: false,
             armed: false,
-            brakes_until_us: None,
+            brakes_for_us: None,
             next_answer: SequenceNumber(0),
             hold: None,
         };
@@ -58,15 +59,15 @@ impl Live {
 
     /// Somebody relies on the references that this session is given.
     pub(super) fn is_guided(&self) -> bool {
-        self.armed || self.brakes_until_us.is_some()
+        self.armed || self.brakes_for_us.is_some()
     }
 
     /// Ends being armed because of something odd; the arm may be brought to rest.
-    pub(super) fn refuse(&mut self, hold: Hold, now_us: u64, config: &SessionConfig) {
+    pub(super) fn refuse(&mut self, hold: Hold, config: &SessionConfig) {
         self.hold = Some(hold);
         if self.armed {
             self.armed = false;
-            self.brakes_until_us = Some(now_us.saturating_add(config.brake_us));
+            self.brakes_for_us = Some(config.brake_us);
         }
     }
 
@@ -76,29 +77,29 @@ impl Live {
         &mut self,
         complete: Option<Complete>,
         feedback: &RobotFeedback,
-        arrival_us: u64,
         waited_us: u64,
         config: &SessionConfig,
     ) -> Option<u32> {
         self.hold = None;
-        if self.brakes_until_us.is_some_and(|until| arrival_us > until) {
-            self.brakes_until_us = None;
-        }
         let lacks_states = feedback.motor_state.is_none()
             || feedback.mci_state.is_none()
             || feedback.rapid_exec_state.is_none();
         let Some(complete) = complete.filter(|_| !(lacks_states && self.is_guided())) else {
-            self.refuse(Hold::Incomplete, arrival_us, config);
-            // Time goes on, whatever the message lacks.
-            self.elapsed.advance(feedback, 1, waited_us);
-            self.skipped = self.skipped.saturating_add(1);
+            self.refuse(Hold::Incomplete, config);
+            self.pass_without_number(feedback, waited_us);
             return Some(0);
         };
         let steps = complete.sequence.steps_since(self.last_sequence);
         if steps < 0 {
             // It says what was, not what is.
-            self.refuse(Hold::OutOfOrder, arrival_us, config);
+            self.refuse(Hold::OutOfOrder, config);
             return Some(0);
+        }
+        if steps == 0 {
+            if self.pass_without_number(feedback, waited_us) {
+                self.refuse(Hold::OutOfOrder, config);
+            }
+            return None;
         }
         let lost = steps - 1 - self.skipped.min(steps);
         self.elapsed.advance(
@@ -109,15 +110,33 @@ impl Live {
         self.skipped = 0;
         self.last_sequence = complete.sequence;
         if lost > config.max_lost {
-            self.refuse(Hold::Gap, arrival_us, config);
+            self.refuse(Hold::Gap, config);
         }
         if self.is_guided() && !self.can_have_gone_to(&complete.measured, steps, config) {
-            self.refuse(Hold::Implausible, arrival_us, config);
+            self.refuse(Hold::Implausible, config);
         } else {
             self.measured = complete.measured;
         }
         self.see_states(feedback);
         u32::try_from(lost).ok()
+    }
+
+    /// A message whose number says nothing. It stands for a cycle of its own when about as much
+    /// time has passed; a copy does not.
+    fn pass_without_number(&mut self, feedback: &RobotFeedback, waited_us: u64) -> bool {
+        let own_cycle = waited_us >= self.elapsed.period_us() / 2;
+        if own_cycle {
+            self.elapsed.advance(feedback, 1, waited_us);
+            self.skipped = self.skipped.saturating_add(1);
+        }
+        own_cycle
+    }
+
+    /// Whether a message from another address can only be this arm's next one.
+    pub(super) fn is_continued_by(&self, next: &Complete, config: &SessionConfig) -> bool {
+        let steps = next.sequence.steps_since(self.last_sequence);
+        (1..=config.max_lost.saturating_add(1)).contains(&steps)
+            && self.can_have_gone_to(&next.measured, steps, config)
     }
 
     /// Whether the arm can have gone from where it was to `to` within so many cycles.
@@ -144,7 +163,7 @@ impl Live {
             && rapid_may_run;
         if !self.may_be_commanded {
             self.armed = false;
-            self.brakes_until_us = None;
+            self.brakes_for_us = None;
             self.reference = at_rest(self.measured);
         }
     }

@@ -157,6 +157,7 @@ fn what_is_odd_about_an_armed_session_lets_the_arm_come_to_rest_and_no_further()
         (blind, Hold::Incomplete),
         (stateless, Hold::Incomplete),
         (elsewhere, Hold::Implausible),
+        (running(5), Hold::OutOfOrder),
     ];
     for (odd, hold) in cases {
         let mut session = at_five(true);
@@ -166,7 +167,7 @@ fn what_is_odd_about_an_armed_session_lets_the_arm_come_to_rest_and_no_further()
         assert!(received.brakes && received.may_be_commanded, "{hold:?}");
         assert!(!session.is_armed());
         // A message that is older than the one before takes no time.
-        let way_deg = if hold == Hold::OutOfOrder { 0.0 } else { 0.01 };
+        let way_deg = if odd == running(4) { 0.0 } else { 0.01 };
         let braked = near_home(way_deg);
         let answer = session.answer(Some(&braked), ControllerTime(0)).unwrap();
         assert_eq!(
@@ -220,6 +221,21 @@ fn another_robot_at_the_same_port_is_told_its_own_pose_and_stops_the_motion() {
     let braked = near_home(0.01);
     let answer = session.answer(Some(&braked), ControllerTime(0)).unwrap();
     assert_eq!(answer.correction.joints, braked.joints);
+}
+
+#[test]
+fn an_arm_whose_messages_go_on_from_another_port_is_led_to_rest() {
+    let mut session = at_five(true);
+    let received = session.receive(&running(6), CYCLE_US, stranger()).unwrap();
+    assert_eq!((received.began, received.hold), (None, Some(Hold::Moved)));
+    let braked = near_home(0.01);
+    let answer = session.answer(Some(&braked), ControllerTime(0)).unwrap();
+    assert_eq!(answer.correction.joints, braked.joints);
+    let received = session
+        .receive(&running(7), 2 * CYCLE_US, stranger())
+        .unwrap();
+    assert_eq!((received.hold, received.brakes), (None, true));
+    assert!(!session.is_armed());
 }
 
 #[test]

@@ -65,8 +65,11 @@ pub enum Hold {
     Incomplete,
     /// More messages were lost than may be.
     Gap,
-    /// The number of the message is lower than that of the one before.
+    /// The number of the message is not higher than that of the one before, and it is no copy
+    /// that came right behind it.
     OutOfOrder,
+    /// The messages go on from another address.
+    Moved,
     /// The measured pose is farther from the last one than the arm can have gone.
     Implausible,
     /// Another address sends messages of a robot.
