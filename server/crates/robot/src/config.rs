@@ -35,6 +35,8 @@ pub struct RobotConfig {
     pub session_timeout: Duration,
     /// Silence on the control link after which a run has failed.
     pub silence: Duration,
+    /// Ask the system for real-time priority for the control loop.
+    pub real_time: bool,
     /// What the arm is allowed to do.
     pub limits: RobotLimits,
 }
@@ -58,6 +60,7 @@ impl RobotConfig {
                 RobotKind::Virtual => Duration::from_millis(500),
                 RobotKind::None => Duration::from_millis(100),
             },
+            real_time: true,
             limits: RobotLimits::gofa5(),
         }
     }

@@ -44,7 +44,8 @@ impl Robot {
         let (thread_links, supervisor_links) = links();
         let flags = Arc::clone(&supervisor_links.flags);
         let control = ControlLoop::new(thread_links, &config.limits, config.silence);
-        control_thread::spawn(socket, control, Arc::clone(&flags), epoch).map_err(bind_error)?;
+        control_thread::spawn(socket, control, Arc::clone(&flags), epoch, config.real_time)
+            .map_err(bind_error)?;
 
         let kind = config.kind;
         let (view_in, view) = watch::channel(RobotView::new(kind));
