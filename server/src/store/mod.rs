@@ -13,6 +13,7 @@ mod pairing;
 pub mod recordings;
 pub mod reproductions;
 pub mod samples;
+pub mod signals;
 mod tasks;
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! How the robot side is set up.
 
+use crate::signals::SignalConfig;
 use motion::limits::RobotLimits;
 use serde::{Deserialize, Serialize};
 use std::net::SocketAddr;
@@ -37,6 +38,8 @@ pub struct RobotConfig {
     pub silence: Duration,
     /// What the arm is allowed to do.
     pub limits: RobotLimits,
+    /// The signals that people may work and motions may set.
+    pub signals: Vec<SignalConfig>,
 }
 
 impl RobotConfig {
@@ -59,6 +62,10 @@ impl RobotConfig {
                 RobotKind::None => Duration::from_millis(100),
             },
             limits: RobotLimits::gofa5(),
+            signals: match kind {
+                RobotKind::Virtual => vec![SignalConfig::virtual_gripper()],
+                RobotKind::None => Vec::new(),
+            },
         }
     }
 }

@@ -76,6 +76,20 @@ pub enum RobotError {
     /// Only while the arm is being guided.
     #[error("the arm is not being guided")]
     NotGuiding,
+    /// No such signal is configured.
+    #[error("there is no signal {name} that may be set")]
+    SignalUnknown {
+        /// What was asked for.
+        name: String,
+    },
+    /// The controller accepted it, and the signal did not change.
+    #[error("the {} did not {wish}", label.to_lowercase())]
+    SignalNotSet {
+        /// What people call the signal.
+        label: String,
+        /// What it was to do.
+        wish: String,
+    },
     /// Stopped by a person before it began.
     #[error("it was stopped before it began")]
     Stopped,
@@ -110,6 +124,8 @@ impl RobotError {
             Self::NotReady { .. } => "robot_not_ready",
             Self::MotorsStayOff => "motors_off",
             Self::NotGuiding => "robot_not_guiding",
+            Self::SignalUnknown { .. } => "signal_unknown",
+            Self::SignalNotSet { .. } => "signal_not_set",
             Self::Stopped => "stopped",
             Self::Controller(error) => error.code(),
             Self::Bind { .. } => "egm_port",
@@ -133,6 +149,12 @@ impl RobotError {
             Self::NotReady { .. } => "Release the stop and acknowledge it on the controller.",
             Self::MotorsStayOff => "Switch the motors on at the controller, then try again.",
             Self::NotGuiding => "Make the arm soft first.",
+            Self::SignalUnknown { .. } => {
+                "Add the signal to the server's configuration, or train from takes without it."
+            }
+            Self::SignalNotSet { .. } => {
+                "Check the signal on the FlexPendant: something else may hold it."
+            }
             Self::Stopped => "Start it again when the arm may move.",
             Self::Controller(error) => error.advice(),
             Self::Bind { .. } => "Close the other program that uses the port, or choose another.",
