@@ -8,6 +8,7 @@ mod in_process;
 mod pairing;
 mod prepared;
 mod published;
+mod signals;
 mod steps;
 mod stop;
 mod teach_and_reproduce;

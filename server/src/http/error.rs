@@ -212,6 +212,7 @@ impl From<robot::RobotError> for ApiError {
             robot::RobotError::Controller(ref refusal) if refusal.is_unreachable() => {
                 StatusCode::SERVICE_UNAVAILABLE
             }
+            robot::RobotError::SignalUnknown { .. } => StatusCode::NOT_FOUND,
             // The controller answers and says no.
             _ => StatusCode::CONFLICT,
         };
@@ -284,6 +285,7 @@ impl From<TrainingError> for ApiError {
                     .at(place)
                     .advise(error.advice())
             }
+            TrainingError::Together(error) => error.into(),
             TrainingError::UnknownMethod(_) => {
                 Self::unprocessable("method_unknown", "method", words)
                     .advise("Leave it out, or write \"faithful\" or \"paper\".")
@@ -379,6 +381,7 @@ fn place_of(error: &PlanError) -> Option<Value> {
         PlanError::Learning(error) => serde_json::to_value(error.where_()).ok(),
         PlanError::Refused(refusal) => Some(match refusal {
             Refusal::Malformed => json!({}),
+            Refusal::SignalMisplaced { name, at_s } => json!({ "field": name, "t_s": at_s }),
             Refusal::NotFinite { joint, t_s } => json!({ "joint": joint + 1, "t_s": t_s }),
             Refusal::OutsideRange {
                 joint,

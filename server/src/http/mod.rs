@@ -18,6 +18,7 @@ mod reproductions;
 mod robot;
 mod router;
 mod session;
+mod signals;
 mod state;
 mod tasks;
 #[cfg(test)]

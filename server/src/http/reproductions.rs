@@ -9,6 +9,7 @@ use utoipa::{IntoParams, ToSchema};
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
+use super::signals::RunSignalMark;
 use super::state::AppState;
 use super::trajectories::{MaxPoints, RunTrajectory, run_trajectory_of};
 use crate::ids::{ReproductionId, TaskId};
@@ -112,7 +113,9 @@ pub async fn trajectory(
 ) -> Result<Json<RunTrajectory>, ApiError> {
     state.store.reproduction(id).await?;
     let cycles = state.store.cycles(id).await?;
-    Ok(Json(run_trajectory_of(&cycles, max.points(400)?)))
+    let signals = RunSignalMark::all(state.store.run_signals(id).await?);
+    let trajectory = run_trajectory_of(&cycles, max.points(400)?);
+    Ok(Json(trajectory.with_signals(signals)))
 }
 
 fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, ApiError> {

@@ -9,6 +9,7 @@ use utoipa::ToSchema;
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
 use super::extract::Json;
+use super::signals::SignalAnswer;
 use super::state::AppState;
 use crate::recording::HandShowing;
 
@@ -42,6 +43,8 @@ pub struct RobotAnswer {
     fault: Option<FaultAnswer>,
     /// How far the running motion is.
     run: Option<RunAnswer>,
+    /// The signals that may be worked.
+    signals: Vec<SignalAnswer>,
 }
 
 /// The EGM link.
@@ -112,6 +115,7 @@ impl From<&RobotView> for RobotAnswer {
                 advice: fault.advice.clone(),
             }),
             run: view.run.map(run),
+            signals: view.signals.iter().map(SignalAnswer::of).collect(),
         }
     }
 }

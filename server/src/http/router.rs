@@ -13,7 +13,7 @@ use utoipa_axum::routes;
 use super::state::AppState;
 use super::{
     agreement, assets, auth, demonstrations, headers, health, jobs, live, models, plans,
-    reproductions, robot, session, tasks,
+    reproductions, robot, session, signals, tasks,
 };
 
 /// Requests are small; only recorded files are not.
@@ -74,6 +74,7 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(robot::reset))
         .routes(routes!(robot::lead_through))
         .routes(routes!(robot::virtual_hand))
+        .routes(routes!(signals::set))
         .routes(routes!(live::open))
         .routes(routes!(plans::create))
         .routes(routes!(reproductions::list, reproductions::start))

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
 use super::error::ApiError;
+use super::signals::{RunSignalMark, SignalMark};
 use crate::store::recordings::Gap;
 use crate::store::samples::{Cycle, Sample};
 
@@ -44,6 +45,15 @@ pub struct Trajectory {
     tcp_mm: Vec<Vec<f64>>,
     /// Stretches without samples.
     gaps: Vec<GapAnswer>,
+    /// What was done with signals.
+    signals: Vec<SignalMark>,
+}
+
+impl Trajectory {
+    /// The same with what was done with signals.
+    pub fn with_signals(self, signals: Vec<SignalMark>) -> Self {
+        Self { signals, ..self }
+    }
 }
 
 /// A stretch without samples.
@@ -64,6 +74,15 @@ pub struct RunTrajectory {
     commanded_deg: Vec<Vec<f64>>,
     /// For each joint, the angle that the controller reported in degrees.
     measured_deg: Vec<Vec<f64>>,
+    /// The signals that were set on the way.
+    signals: Vec<RunSignalMark>,
+}
+
+impl RunTrajectory {
+    /// The same with the signals that were set.
+    pub fn with_signals(self, signals: Vec<RunSignalMark>) -> Self {
+        Self { signals, ..self }
+    }
 }
 
 /// The learnt motion.
@@ -99,6 +118,7 @@ pub fn trajectory_of(samples: &[Sample], gaps: &[Gap], max_points: usize) -> Tra
                 length_s: seconds(gap.length_us),
             })
             .collect(),
+        signals: Vec::new(),
     }
 }
 
@@ -111,6 +131,7 @@ pub fn run_trajectory_of(cycles: &[Cycle], max_points: usize) -> RunTrajectory {
         t_s: picked.iter().map(|cycle| seconds(cycle.at_us)).collect(),
         commanded_deg: columns(picked.iter().map(|cycle| cycle.commanded_deg)),
         measured_deg: columns(picked.iter().map(|cycle| cycle.measured_deg)),
+        signals: Vec::new(),
     }
 }
 

@@ -6,7 +6,7 @@ mod figures;
 
 use std::sync::Arc;
 
-use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome};
+use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome, SignalSet};
 use tokio::sync::Mutex;
 use tokio::task::JoinHandle;
 
@@ -18,6 +18,7 @@ use crate::store::reproductions::{
     NewReproduction, Reproduction, ReproductionResult, ReproductionState,
 };
 use crate::store::samples::Cycle;
+use crate::store::signals::RunSignal;
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
 use crate::words::sentence;
@@ -197,16 +198,20 @@ impl Reproducer {
 async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, handle: RunHandle) {
     let outcome = handle.outcome.await.ok();
     let judged = tokio::task::spawn_blocking(move || judge(&plan, outcome)).await;
-    let (result, cycles) = match judged {
+    let (result, cycles, signals) = match judged {
         Ok(judged) => judged,
         Err(error) => {
             tracing::error!(reproduction.id = %id, %error, "a reproduction could not be judged");
             (
                 failed("What came of the motion could not be worked out."),
                 Vec::new(),
+                Vec::new(),
             )
         }
     };
+    if let Err(error) = tools.store.add_run_signals(id, &signals).await {
+        tracing::error!(reproduction.id = %id, %error, "a reproduction's signals could not be stored");
+    }
     let now = tools.clock.now();
     match tools
         .store
@@ -220,9 +225,13 @@ async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, handle: R
     }
 }
 
-fn judge(plan: &KnownPlan, outcome: Option<RunOutcome>) -> (ReproductionResult, Vec<Cycle>) {
+fn judge(
+    plan: &KnownPlan,
+    outcome: Option<RunOutcome>,
+) -> (ReproductionResult, Vec<Cycle>, Vec<RunSignal>) {
     let Some(outcome) = outcome else {
-        return (failed("The connection to the arm was lost."), Vec::new());
+        let lost = failed("The connection to the arm was lost.");
+        return (lost, Vec::new(), Vec::new());
     };
     let cycles: Vec<Cycle> = outcome
         .record
@@ -255,7 +264,21 @@ fn judge(plan: &KnownPlan, outcome: Option<RunOutcome>) -> (ReproductionResult, 
             figures::of_broken(&cycles),
         ),
     };
-    (result, cycles)
+    let signals = outcome.signals.into_iter();
+    let signals = signals.map(|signal| run_signal(signal, &cycles)).collect();
+    (result, cycles, signals)
+}
+
+/// On the record's clock: when the plan came to it, and how late it then was.
+fn run_signal(signal: SignalSet, cycles: &[Cycle]) -> RunSignal {
+    let due = cycles.iter().find(|cycle| cycle.plan_t_s >= signal.at_s);
+    let due = due.or(cycles.last());
+    RunSignal {
+        at_us: due.map_or(0, |cycle| cycle.at_us) + (signal.late_s * 1e6).round() as u64,
+        name: signal.name,
+        on: signal.on,
+        late_s: signal.late_s,
+    }
 }
 
 fn failed(reason: &str) -> ReproductionResult {

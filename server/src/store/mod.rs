@@ -13,6 +13,7 @@ mod pairing;
 pub mod recordings;
 pub mod reproductions;
 pub mod samples;
+pub mod signals;
 mod tasks;
 #[cfg(test)]
 mod tests;
@@ -79,7 +80,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 4] = [
+const MIGRATIONS: [(i64, &str, &str); 5] = [
     (
         1,
         "tasks and demonstrations",
@@ -99,6 +100,11 @@ const MIGRATIONS: [(i64, &str, &str); 4] = [
         4,
         "pairing and audit",
         include_str!("../../../migrations/0004_pairing_and_audit.sql"),
+    ),
+    (
+        6,
+        "signals",
+        include_str!("../../../migrations/0006_signals.sql"),
     ),
 ];
 

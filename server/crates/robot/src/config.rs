@@ -1,5 +1,6 @@
 //! How the robot side is set up.
 
+use crate::signals::SignalConfig;
 use motion::limits::RobotLimits;
 use serde::{Deserialize, Serialize};
 use std::net::SocketAddr;
@@ -39,6 +40,8 @@ pub struct RobotConfig {
     pub real_time: bool,
     /// What the arm is allowed to do.
     pub limits: RobotLimits,
+    /// The signals that people may work and motions may set.
+    pub signals: Vec<SignalConfig>,
 }
 
 impl RobotConfig {
@@ -62,6 +65,10 @@ impl RobotConfig {
             },
             real_time: true,
             limits: RobotLimits::gofa5(),
+            signals: match kind {
+                RobotKind::Virtual => vec![SignalConfig::virtual_gripper()],
+                RobotKind::None => Vec::new(),
+            },
         }
     }
 }

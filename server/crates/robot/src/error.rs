@@ -85,6 +85,20 @@ pub enum RobotError {
         /// As asked for.
         share: f64,
     },
+    /// No such signal is configured.
+    #[error("there is no signal {name} that may be set")]
+    SignalUnknown {
+        /// What was asked for.
+        name: String,
+    },
+    /// The controller accepted it, and the signal did not change.
+    #[error("the {} did not {wish}", label.to_lowercase())]
+    SignalNotSet {
+        /// What people call the signal.
+        label: String,
+        /// What it was to do.
+        wish: String,
+    },
     /// Stopped by a person before it began.
     #[error("it was stopped before it began")]
     Stopped,
@@ -121,6 +135,8 @@ impl RobotError {
             Self::NotGuiding => "robot_not_guiding",
             Self::NotRunning => "robot_not_running",
             Self::BadSpeed { .. } => "bad_speed",
+            Self::SignalUnknown { .. } => "signal_unknown",
+            Self::SignalNotSet { .. } => "signal_not_set",
             Self::Stopped => "stopped",
             Self::Controller(error) => error.code(),
             Self::Bind { .. } => "egm_port",
@@ -146,6 +162,12 @@ impl RobotError {
             Self::NotGuiding => "Make the arm soft first.",
             Self::NotRunning => "Start a motion first.",
             Self::BadSpeed { .. } => "Choose a speed from 5 % to 100 %.",
+            Self::SignalUnknown { .. } => {
+                "Add the signal to the server's configuration, or train from takes without it."
+            }
+            Self::SignalNotSet { .. } => {
+                "Check the signal on the FlexPendant: something else may hold it."
+            }
             Self::Stopped => "Start it again when the arm may move.",
             Self::Controller(error) => error.advice(),
             Self::Bind { .. } => "Close the other program that uses the port, or choose another.",

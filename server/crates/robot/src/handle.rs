@@ -174,6 +174,17 @@ impl Robot {
         self.ask(|reply| Request::Hand(command, reply)).await
     }
 
+    /// Sets a signal. When this returns, the controller has it and the view shows it.
+    ///
+    /// # Errors
+    /// [`RobotError::SignalUnknown`] unless it is configured, [`RobotError::Busy`] while a plan
+    /// runs, [`RobotError::SignalNotSet`] when it does not read as it was set.
+    pub async fn set_signal(&self, name: &str, on: bool) -> Result<(), RobotError> {
+        let name = name.to_owned();
+        self.ask(|reply| Request::SetSignal { name, on, reply })
+            .await
+    }
+
     /// Which arm there is.
     #[must_use]
     pub fn kind(&self) -> RobotKind {

@@ -24,6 +24,7 @@ mod poll;
 mod procedures;
 mod rate_limit;
 mod run;
+mod signals;
 mod supervisor;
 #[cfg(test)]
 mod testing;
@@ -35,4 +36,5 @@ pub use guidance::{GuidanceEvent, GuidanceSample, HandActivity, HandCommand, Han
 pub use handle::Robot;
 pub use player::{RunPhase, SLOWEST};
 pub use run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
+pub use signals::{SignalConfig, SignalSet, SignalView};
 pub use view::{EgmView, RobotState, RobotView};

@@ -2,6 +2,7 @@
 
 use crate::error::Fault;
 use crate::player::RunPhase;
+use crate::signals::SignalSet;
 use motion::JointAngles;
 use serde::Serialize;
 use tokio::sync::{oneshot, watch};
@@ -37,6 +38,8 @@ pub struct RunOutcome {
     pub end: RunEnd,
     /// Every cycle from arming to the end, about 250 a second.
     pub record: Vec<CycleRecord>,
+    /// The signals that were set on the way.
+    pub signals: Vec<SignalSet>,
 }
 
 /// The ways in which a run can end.

@@ -1,11 +1,12 @@
 //! A run: from the request over the control thread's work to its outcome.
 
+use super::signals::RunSignals;
 use super::{Done, Mode, Supervisor};
 use crate::control_loop::LoopEnd;
 use crate::ending;
 use crate::error::{Fault, RobotError};
 use crate::links::Command;
-use crate::player::{ALIGN_LIMIT_DEG, RunPhase};
+use crate::player::{ALIGN_LIMIT_DEG, PlayerEnd, RunPhase};
 use crate::procedures::{self, Aftermath};
 use crate::run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
 use motion::JointAngles;
@@ -33,6 +34,7 @@ pub(super) struct RunSlot {
     progress: watch::Sender<RunProgress>,
     outcome: oneshot::Sender<RunOutcome>,
     record: Vec<CycleRecord>,
+    signals: RunSignals,
 }
 
 /// How far the run is.
@@ -69,6 +71,14 @@ impl RunSlot {
         *self.progress.borrow()
     }
 
+    pub(super) fn id(&self) -> u64 {
+        self.id
+    }
+
+    pub(super) fn plan_and_signals(&mut self) -> (Arc<Plan>, &mut RunSignals) {
+        (Arc::clone(&self.plan), &mut self.signals)
+    }
+
     pub(super) fn is_stopping(&self) -> bool {
         matches!(self.stage, Stage::Ending(_)) || self.progress().phase == RunPhase::Stopping
     }
@@ -83,6 +93,7 @@ impl Supervisor {
     ) -> Result<RunHandle, RobotError> {
         let client = self.idle_client()?;
         self.check_pose(&plan.first())?;
+        self.check_signals(&plan)?;
         self.runs += 1;
         self.links.flags.set_paused(false);
         self.links.flags.set_speed(1.0);
@@ -105,6 +116,7 @@ impl Supervisor {
             progress,
             outcome,
             record: Vec::with_capacity(records as usize),
+            signals: RunSignals::default(),
         }));
         let flags = Arc::clone(&self.links.flags);
         self.operation = Some(Box::pin(async move {
@@ -162,6 +174,7 @@ impl Supervisor {
 
     /// Looks after the present run, if there is one.
     pub(super) fn attend_run(&mut self) {
+        self.attend_signals();
         let now = Instant::now();
         let egm_is_fresh = self.seen.egm_is_fresh(self.now_us());
         let flags = &self.links.flags;
@@ -212,6 +225,12 @@ impl Supervisor {
                 }
                 let never_began = run.is_none() && now >= *since + THREAD_PATIENCE;
                 match run.and_then(|run| run.end) {
+                    // The arm has arrived, and what belongs to the end is still being set.
+                    Some(LoopEnd::Player(PlayerEnd::Completed))
+                        if slot.signals.are_open(&slot.plan) =>
+                    {
+                        is_stopped.then_some(Verdict::Thread(LoopEnd::Player(PlayerEnd::Stopped)))
+                    }
                     Some(end) => Some(Verdict::Thread(end)),
                     None if overdue || never_began => Some(Verdict::Fault(ending::lost())),
                     None => {
@@ -266,6 +285,10 @@ impl Supervisor {
                 (RunEnd::Failed(ending::lost()), true)
             }
         };
+        let end = match slot.signals.fault.take() {
+            Some(fault) => RunEnd::Failed(fault),
+            None => end,
+        };
         if let Err(error) = &aftermath.stopped {
             tracing::warn!(%error, "the robot program could not be stopped");
             self.unfinished.run = true;
@@ -287,6 +310,7 @@ impl Supervisor {
         let _ = slot.outcome.send(RunOutcome {
             end,
             record: slot.record,
+            signals: slot.signals.set,
         });
     }
 }
