@@ -117,14 +117,13 @@ impl Session {
             let complete = complete.as_ref()?;
             self.counters.sessions += 1;
             self.live = Some(Live::begin(complete, feedback, arrival_us, source));
-            return self.received(Some(beginning), feedback, 0);
+            return self.received(Some(beginning), feedback, 0, false);
         }
 
         let live = self.live.as_mut().filter(|live| live.source == source)?;
         let waited_us = arrival_us.saturating_sub(live.last_arrival_us);
-        if waited_us > self.config.late_after_us {
-            self.counters.late += 1;
-        }
+        let late = waited_us > self.config.late_after_us;
+        self.counters.late += u64::from(late);
         live.last_arrival_us = live.last_arrival_us.max(arrival_us);
         let mut lost = 0;
         live.hold = match &complete {
@@ -144,7 +143,7 @@ impl Session {
             }
         };
         live.see_states(feedback);
-        self.received(None, feedback, lost)
+        self.received(None, feedback, lost, late)
     }
 
     /// The answer to the newest message, given the setpoint that somebody would like to send.
@@ -225,6 +224,7 @@ impl Session {
         began: Option<Beginning>,
         feedback: &RobotFeedback,
         lost: u32,
+        late: bool,
     ) -> Option<Received> {
         let live = self.live.as_ref()?;
         Some(Received {
@@ -235,6 +235,9 @@ impl Session {
             motors_on: feedback.motor_state == Some(MotorState::MotorsOn),
             hold: live.hold,
             lost,
+            late,
+            rapid_running: feedback.rapid_exec_state == Some(RapidExecState::Running),
+            utilization_percent: feedback.utilization_rate,
             session_age_us: live.last_arrival_us.saturating_sub(live.began_us),
         })
     }
