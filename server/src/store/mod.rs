@@ -5,7 +5,9 @@
 //! sqlx, so waiting for the store never blocks the async threads.
 
 mod audit;
+pub mod cycles;
 pub mod demonstrations;
+pub mod flights;
 pub mod jobs;
 pub mod leases;
 pub mod models;
@@ -79,7 +81,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 4] = [
+const MIGRATIONS: [(i64, &str, &str); 5] = [
     (
         1,
         "tasks and demonstrations",
@@ -99,6 +101,11 @@ const MIGRATIONS: [(i64, &str, &str); 4] = [
         4,
         "pairing and audit",
         include_str!("../../../migrations/0004_pairing_and_audit.sql"),
+    ),
+    (
+        7,
+        "flights",
+        include_str!("../../../migrations/0007_flights.sql"),
     ),
 ];
 
