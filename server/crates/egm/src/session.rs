@@ -23,7 +23,7 @@ mod types;
 pub use types::{Answer, Beginning, Counters, Hold, Received, SessionConfig};
 
 use crate::header::{ControllerTime, SequenceNumber};
-use crate::messages::{MciState, MotorState};
+use crate::messages::{MciState, MotorState, RapidExecState};
 use crate::wire::{Correction, RobotFeedback};
 use live::{Complete, Live, at_rest};
 use motion::plan::Setpoint;
@@ -127,7 +127,7 @@ impl Session {
             let complete = complete.as_ref()?;
             self.counters.sessions += 1;
             self.live = Some(Live::begin(complete, feedback, arrival_us, source));
-            return self.received(Some(beginning), feedback, 0);
+            return self.received(Some(beginning), feedback, 0, false);
         }
 
         let live = self.live.as_mut()?;
@@ -137,14 +137,13 @@ impl Session {
             if !live.is_continued_by(complete, &self.config) {
                 live.refuse(Hold::Stranger, &self.config);
                 self.visit(complete, source);
-                return self.received(None, feedback, 0);
+                return self.received(None, feedback, 0, false);
             }
             live.source = source;
         }
         let waited_us = arrival_us.saturating_sub(live.last_arrival_us);
-        if waited_us > self.config.late_after_us {
-            self.counters.late += 1;
-        }
+        let late = waited_us > self.config.late_after_us;
+        self.counters.late += u64::from(late);
         live.last_arrival_us = live.last_arrival_us.max(arrival_us);
         let lost = live.take_in(complete, feedback, waited_us, &self.config);
         if moved {
@@ -152,7 +151,7 @@ impl Session {
         }
         self.counters.lost += u64::from(lost.unwrap_or(0));
         self.counters.repeated += u64::from(lost.is_none());
-        self.received(None, feedback, lost.unwrap_or(0))
+        self.received(None, feedback, lost.unwrap_or(0), late)
     }
 
     /// The answer to the newest message, given the setpoint that somebody would like to send.
@@ -272,6 +271,7 @@ impl Session {
         began: Option<Beginning>,
         feedback: &RobotFeedback,
         lost: u32,
+        late: bool,
     ) -> Option<Received> {
         let live = self.live.as_ref()?;
         Some(Received {
@@ -283,6 +283,9 @@ impl Session {
             hold: live.hold,
             brakes: live.brakes_for_us.is_some(),
             lost,
+            late,
+            rapid_running: feedback.rapid_exec_state == Some(RapidExecState::Running),
+            utilization_percent: feedback.utilization_rate,
             session_age_us: live.last_arrival_us.saturating_sub(live.began_us),
         })
     }

@@ -43,6 +43,8 @@ pub(crate) struct RunState {
     pub run: u64,
     pub phase: RunPhase,
     pub plan_t_s: f64,
+    /// Since the start of the program: the zero of the run's own time line.
+    pub armed_us: u64,
     pub end: Option<LoopEnd>,
 }
 
@@ -180,10 +182,15 @@ impl ControlLoop {
             let record = CycleRecord {
                 at_us: self.latest_us.saturating_sub(active.armed_us),
                 commanded: answer.correction.joints,
+                commanded_speed: answer.correction.velocities,
                 measured: received.measured,
                 plan_t_s: step.plan_t_s,
                 phase: step.phase,
                 lost: received.lost,
+                late: received.late,
+                motors_on: received.motors_on,
+                rapid_running: received.rapid_running,
+                utilization_percent: received.utilization_percent,
                 held: answer.held.is_some(),
                 limited: limited.joints != wish.joints,
             };
@@ -192,6 +199,7 @@ impl ControlLoop {
                 run: active.run,
                 phase: step.phase,
                 plan_t_s: step.plan_t_s,
+                armed_us: active.armed_us,
                 end: None,
             });
         }
@@ -259,6 +267,7 @@ impl ControlLoop {
             run,
             phase: RunPhase::Approach,
             plan_t_s: 0.0,
+            armed_us: self.latest_us,
             end: None,
         });
         let reference = self.session.reference();

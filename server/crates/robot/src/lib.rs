@@ -16,6 +16,7 @@ mod control_loop;
 mod control_thread;
 mod ending;
 mod error;
+mod flight;
 mod guidance;
 mod handle;
 mod links;
@@ -32,6 +33,7 @@ mod view;
 
 pub use config::{RobotConfig, RobotKind};
 pub use error::{Fault, RobotError};
+pub use flight::{FlightChunk, FlightEvent};
 pub use guidance::{GuidanceEvent, GuidanceSample, HandActivity, HandCommand, HandScript};
 pub use handle::Robot;
 pub use player::{RunPhase, SLOWEST};

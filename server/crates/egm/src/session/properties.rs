@@ -3,7 +3,7 @@
 
 use super::tests::config;
 use super::*;
-use crate::messages::{MessageType, RapidExecState};
+use crate::messages::MessageType;
 use proptest::prelude::*;
 
 /// One step of an arbitrary history.

@@ -1,7 +1,7 @@
 //! What a person would notice of the session rules: when the arm may move, and from where.
 
 use super::*;
-use crate::messages::{MessageType, RapidExecState};
+use crate::messages::MessageType;
 use crate::wire::ClockTime;
 
 const CYCLE_US: u64 = 4_032;

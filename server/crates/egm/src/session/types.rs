@@ -99,6 +99,12 @@ pub struct Received {
     pub brakes: bool,
     /// Messages missing right before this one.
     pub lost: u32,
+    /// It came late.
+    pub late: bool,
+    /// The controller reports that its program runs.
+    pub rapid_running: bool,
+    /// How much of what the arm can do the latest reference needs, percent.
+    pub utilization_percent: Option<f64>,
     /// Time since the session began, µs.
     pub session_age_us: u64,
 }
