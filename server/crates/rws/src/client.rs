@@ -1,6 +1,7 @@
 //! The session: authentication, headers, back-off, and the mapping of statuses to errors.
 
 use crate::hal;
+use crate::tls::Tls;
 use crate::{RwsError, session::SessionCookies};
 use reqwest::header::{ACCEPT, CONTENT_TYPE};
 use reqwest::{Method, StatusCode, Url};
@@ -19,23 +20,28 @@ const BACK_OFF: [Duration; 3] = [
 /// Where the controller is and how to log in.
 #[derive(Debug, Clone)]
 pub struct Config {
-    /// For example `http://127.0.0.1:8081`.
+    /// For example `https://192.168.125.1`.
     pub base_url: String,
     /// Controller account.
     pub user: String,
     /// Its password.
     pub password: String,
+    /// SHA-256 fingerprint of the one certificate that is accepted, whatever its name and dates;
+    /// hexadecimal, colons allowed. Without it https is verified as a browser does, which a
+    /// controller's own certificate does not pass.
+    pub certificate_sha256: Option<String>,
     /// Longest wait for one answer.
     pub timeout: Duration,
 }
 
 impl Config {
-    /// The factory account at `base_url`, two seconds per answer.
+    /// The factory account at `base_url`, no pinned certificate, two seconds per answer.
     pub fn new(base_url: impl Into<String>) -> Self {
         Self {
             base_url: base_url.into(),
             user: "Default User".to_owned(),
             password: "robotics".to_owned(),
+            certificate_sha256: None,
             timeout: Duration::from_secs(2),
         }
     }
@@ -47,6 +53,7 @@ pub struct Client {
     http: reqwest::Client,
     cookies: Arc<SessionCookies>,
     base: Url,
+    tls: Tls,
     config: Arc<Config>,
 }
 
@@ -54,18 +61,38 @@ impl Client {
     /// Prepares a session; nothing is sent yet.
     ///
     /// # Errors
-    /// [`RwsError::BadAddress`] when the address is not an HTTP address.
+    /// [`RwsError::BadAddress`] when the address is not an HTTP address, or is one without TLS
+    /// although a certificate is pinned; [`RwsError::BadFingerprint`] when the pin is none.
     pub fn new(config: Config) -> Result<Self, RwsError> {
         let bad = |reason: String| RwsError::BadAddress {
             url: config.base_url.clone(),
             reason,
         };
         let base = Url::parse(&config.base_url).map_err(|error| bad(error.to_string()))?;
-        if base.host().is_none() || base.scheme() != "http" {
-            return Err(bad("it must look like http://host:port".to_owned()));
+        if base.host().is_none() || !matches!(base.scheme(), "http" | "https") {
+            return Err(bad("it must look like https://host:port".to_owned()));
         }
+        let pinned = match &config.certificate_sha256 {
+            Some(text) => Some(
+                text.parse()
+                    .map_err(|_| RwsError::BadFingerprint { text: text.clone() })?,
+            ),
+            None => None,
+        };
+        let https = base.scheme() == "https";
+        // Somebody who pinned a certificate must never talk without one.
+        if pinned.is_some() && !https {
+            return Err(bad(
+                "a certificate is pinned, so it must begin with https://".to_owned(),
+            ));
+        }
+        let tls = Tls::new(pinned).map_err(|error| bad(error.to_string()))?;
         let cookies = Arc::new(SessionCookies::default());
         let http = reqwest::Client::builder()
+            .tls_backend_preconfigured(rustls::ClientConfig::clone(&tls.config))
+            .https_only(https)
+            // A controller never sends anybody elsewhere.
+            .redirect(reqwest::redirect::Policy::none())
             .cookie_provider(Arc::clone(&cookies))
             // Commands to the arm must never take a detour through a proxy of the office network.
             .no_proxy()
@@ -79,6 +106,7 @@ impl Client {
             http,
             cookies,
             base,
+            tls,
             config: Arc::new(config),
         })
     }
@@ -163,6 +191,9 @@ impl Client {
         let reason = if error.is_timeout() {
             "no answer in time".to_owned()
         } else if error.is_connect() {
+            if let Some(refusal) = self.tls.refusal(&self.config.base_url) {
+                return refusal;
+            }
             "no connection".to_owned()
         } else {
             error.to_string()

@@ -12,6 +12,7 @@
 mod client;
 mod elog;
 mod error;
+mod fingerprint;
 mod hal;
 mod lead_through;
 mod mastership;
@@ -21,12 +22,15 @@ mod rapid;
 mod session;
 mod signals;
 mod system;
+mod tls;
 pub mod virtual_hand;
 
 pub use client::{Client, Config};
 pub use elog::{EventMessage, EventType, SAFETY_DOMAIN};
 pub use error::RwsError;
+pub use fingerprint::{Fingerprint, NotAFingerprint};
 pub use panel::{ControllerState, OperatingMode};
 pub use rapid::{Cycle, Execution};
 pub use signals::Signal;
 pub use system::System;
+pub use tls::read_fingerprint;

@@ -4,3 +4,4 @@
 mod resources;
 mod scripted;
 mod sessions;
+mod tls;
