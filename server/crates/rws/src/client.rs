@@ -3,12 +3,15 @@
 use crate::hal;
 use crate::tls::Tls;
 use crate::{RwsError, session::SessionCookies};
-use reqwest::header::{ACCEPT, CONTENT_TYPE};
+use reqwest::cookie::CookieStore;
+use reqwest::header::{ACCEPT, CONTENT_TYPE, HeaderValue, LOCATION};
 use reqwest::{Method, StatusCode, Url};
 use std::sync::Arc;
 use std::time::Duration;
 
 const ACCEPT_HAL: &str = "application/hal+json;v=2.0";
+// What every resource has, also where an older controller has no JSON.
+const ACCEPT_XHTML: &str = "application/xhtml+xml;v=2.0";
 // Without ";v=2.0" the controller answers 406, also to an empty body.
 const FORM: &str = "application/x-www-form-urlencoded;v=2.0";
 const BACK_OFF: [Duration; 3] = [
@@ -45,6 +48,15 @@ impl Config {
             timeout: Duration::from_secs(2),
         }
     }
+}
+
+/// What the controller said to a request that it accepted.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    /// Where the new resource is, if one was made.
+    pub(crate) location: Option<String>,
+    /// The body.
+    pub(crate) text: String,
 }
 
 /// One session with one controller. Cloning shares the session.
@@ -125,11 +137,46 @@ impl Client {
     }
 
     pub(crate) async fn get(&self, path: &str) -> Result<String, RwsError> {
-        self.send(Method::GET, path, None).await
+        Ok(self.send(Method::GET, path, None).await?.text)
     }
 
     pub(crate) async fn post(&self, path: &str, form: &[(&str, &str)]) -> Result<String, RwsError> {
+        Ok(self.create(path, form).await?.text)
+    }
+
+    /// Posts what makes a new resource; the answer says where it is.
+    pub(crate) async fn create(
+        &self,
+        path: &str,
+        form: &[(&str, &str)],
+    ) -> Result<Answer, RwsError> {
         self.send(Method::POST, path, Some(form)).await
+    }
+
+    pub(crate) async fn delete(&self, path: &str) -> Result<(), RwsError> {
+        self.send(Method::DELETE, path, None).await.map(|_| ())
+    }
+
+    /// The cookies of the session, for a request that is not made here; nothing without one.
+    pub(crate) fn session_cookies(&self) -> Option<HeaderValue> {
+        self.cookies.cookies(&self.base)
+    }
+
+    /// Which session this is.
+    pub(crate) fn session_id(&self) -> Option<String> {
+        self.cookies.id(&self.base)
+    }
+
+    pub(crate) fn base(&self) -> &Url {
+        &self.base
+    }
+
+    pub(crate) fn tls(&self) -> &Tls {
+        &self.tls
+    }
+
+    pub(crate) fn timeout(&self) -> Duration {
+        self.config.timeout
     }
 
     /// Sends one request, logging in again once when the session was lost, and waiting a little
@@ -139,13 +186,14 @@ impl Client {
         method: Method,
         path: &str,
         form: Option<&[(&str, &str)]>,
-    ) -> Result<String, RwsError> {
+    ) -> Result<Answer, RwsError> {
+        let mut accept = ACCEPT_HAL;
         let mut logged_in_again = false;
         let mut back_off = BACK_OFF.into_iter();
         loop {
             let had_session = self.cookies.is_open(&self.base);
-            let (status, text) = self
-                .send_once(method.clone(), path, form, !had_session)
+            let (status, answer) = self
+                .send_once(method.clone(), path, form, accept, !had_session)
                 .await
                 .map_err(|error| self.unreachable(&error))?;
             match status {
@@ -153,6 +201,7 @@ impl Client {
                     self.cookies.clear();
                     logged_in_again = true;
                 }
+                StatusCode::NOT_ACCEPTABLE if accept == ACCEPT_HAL => accept = ACCEPT_XHTML,
                 StatusCode::SERVICE_UNAVAILABLE => match back_off.next() {
                     Some(pause) => tokio::time::sleep(pause).await,
                     None => {
@@ -161,8 +210,8 @@ impl Client {
                         });
                     }
                 },
-                status if status.is_success() => return Ok(text),
-                status => return Err(self.refused(path, status, &text)),
+                status if status.is_success() => return Ok(answer),
+                status => return Err(self.refused(path, status, &answer.text)),
             }
         }
     }
@@ -172,10 +221,11 @@ impl Client {
         method: Method,
         path: &str,
         form: Option<&[(&str, &str)]>,
+        accept: &'static str,
         with_login: bool,
-    ) -> Result<(StatusCode, String), reqwest::Error> {
+    ) -> Result<(StatusCode, Answer), reqwest::Error> {
         let url = format!("{}{path}", self.base.as_str().trim_end_matches('/'));
-        let mut request = self.http.request(method, url).header(ACCEPT, ACCEPT_HAL);
+        let mut request = self.http.request(method, url).header(ACCEPT, accept);
         if with_login {
             request = request.basic_auth(&self.config.user, Some(&self.config.password));
         }
@@ -184,7 +234,13 @@ impl Client {
         }
         let answer = request.send().await?;
         let status = answer.status();
-        Ok((status, answer.text().await?))
+        let location = answer
+            .headers()
+            .get(LOCATION)
+            .and_then(|value| value.to_str().ok())
+            .map(str::to_owned);
+        let text = answer.text().await?;
+        Ok((status, Answer { location, text }))
     }
 
     fn unreachable(&self, error: &reqwest::Error) -> RwsError {

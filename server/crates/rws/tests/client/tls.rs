@@ -1,35 +1,10 @@
 //! HTTPS: the client against the virtual controller, with the right certificate and others.
 
-use rws::{Client, Config, RwsError};
-use std::net::UdpSocket;
-use std::time::Duration;
-use virtual_controller::VirtualController;
+use crate::cell::{PATIENCE, cell, config};
+use rws::{Client, RwsError};
 
 /// SHA-256 of "abc": the certificate of nobody.
 const OTHER: &str = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
-
-struct Cell {
-    controller: VirtualController,
-    _egm: UdpSocket,
-}
-
-async fn cell(https: bool) -> Cell {
-    let egm = UdpSocket::bind("127.0.0.1:0").unwrap();
-    let mut config = virtual_controller::Config::new(egm.local_addr().unwrap());
-    config.rws_https = https;
-    Cell {
-        controller: VirtualController::start(config).await.unwrap(),
-        _egm: egm,
-    }
-}
-
-fn config(url: impl Into<String>, pin: Option<&str>) -> Config {
-    Config {
-        certificate_sha256: pin.map(str::to_owned),
-        timeout: Duration::from_secs(20),
-        ..Config::new(url)
-    }
-}
 
 #[tokio::test]
 async fn the_pinned_certificate_is_accepted_although_no_authority_signed_it() {
@@ -89,8 +64,7 @@ async fn without_a_pin_an_unsigned_certificate_is_refused_with_its_fingerprint_a
 #[tokio::test]
 async fn the_fingerprint_can_be_read_without_trusting_it() {
     let cell = cell(true).await;
-    let patience = Duration::from_secs(20);
-    let seen = rws::read_fingerprint(&cell.controller.rws_url(), patience)
+    let seen = rws::read_fingerprint(&cell.controller.rws_url(), PATIENCE)
         .await
         .unwrap();
     assert_eq!(
