@@ -6,6 +6,7 @@ mod cli;
 mod crash;
 mod flight;
 mod in_process;
+mod pace;
 mod pairing;
 mod prepared;
 mod published;
