@@ -5,6 +5,7 @@ mod api;
 mod cli;
 mod crash;
 mod in_process;
+mod independent;
 mod pairing;
 mod prepared;
 mod published;
@@ -12,6 +13,7 @@ mod steps;
 mod stop;
 mod teach_and_reproduce;
 mod tidy;
+mod virtual_robot;
 mod webapp;
 
 /// The server as a program, built beside these tests.
