@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::steps::until_state;
 use crate::steps::{alone, ended, idle_arm, new_task, number, numbers, plan, start, text, train};
-use crate::{PROGRAM, SCRATCH};
+use crate::{PROGRAM, SCRATCH, in_process};
 
 const GRIPPER: &str = "GripperClose";
 /// How far from the shown places the gripper may be worked, mm.
@@ -111,7 +111,7 @@ async fn takes_that_work_the_gripper_differently_are_refused_before_training() {
         .await;
     let problem = refused.problem(&[422]);
     assert_eq!(problem["code"], "signals_differ", "{problem}");
-    assert!(text(&problem, "detail").contains("take 2"), "{problem}");
+    assert!(text(&problem, "detail").contains("Take 2"), "{problem}");
 
     // What was downloaded and uploaded again tells the same story.
     let file = client.get(&format!("{path}/download")).await.expect(200);
@@ -127,6 +127,71 @@ async fn takes_that_work_the_gripper_differently_are_refused_before_training() {
         .await
         .problem(&[404]);
     server.terminate().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_gripper_that_does_not_close_stops_the_arm_with_words() {
+    let _turn = alone().await;
+    let folder = Folder::new(SCRATCH, "signals-stuck");
+    let server = in_process::start(folder.path()).await;
+    let client = server.client();
+    idle_arm(&client).await;
+    let task = new_task(&client, "Stuck").await;
+    let path = format!("/tasks/{task}/demonstrations/upload?name=take.json");
+    let file = gripping_file().to_string();
+    let take = client
+        .post_text(&path, "application/json", file)
+        .await
+        .expect(201);
+    let path = format!("/demonstrations/{}/keep", text(&take, "id"));
+    let _ = client.post_empty(&path).await.expect(200);
+    let model = train(&client, &task, json!({})).await;
+    let planned = plan(&client, &model, json!("as_taught"), json!("as_taught")).await;
+    let closes = &planned["signals"][1];
+    assert_eq!(closes["on"], true, "{}", planned["signals"]);
+
+    server.signals_get_stuck(true);
+    let running = start(&client, &planned).await;
+    let result = ended(&client, &running).await;
+    assert_eq!(result["state"], "failed", "{result}");
+    assert!(
+        text(&result, "reason").contains("gripper did not close"),
+        "{result}"
+    );
+    let robot = client.get("/robot").await.expect(200);
+    assert_eq!(robot["fault"]["code"], "signal_failed", "{robot}");
+    // It stands on the planned path, behind the place of the signal and far from the end.
+    let path = format!(
+        "/reproductions/{}/trajectory?max_points=20000",
+        text(&result, "id")
+    );
+    let record = client.get(&path).await.expect(200);
+    let last = numbers(&record["measured_deg"][0]).pop().expect("a record");
+    let goal = numbers(&planned["joints_deg"][0]).pop().expect("a plan");
+    assert!(
+        (goal - last).abs() > 3.0,
+        "stopped at {last} on the way to {goal}"
+    );
+    server.signals_get_stuck(false);
+    let _ = client.post_empty("/robot/reset").await.expect(200);
+    let _ = work_gripper(&client, true).await.expect(200);
+    server.shutdown().await;
+}
+
+/// A take as a file; the gripper closes after a third of it.
+fn gripping_file() -> Value {
+    let take = e2e::take(1, 6.0);
+    let closes_s = take.t_s[take.t_s.len() / 3];
+    json!({
+        "format": "team-demonstration",
+        "version": 1,
+        "t_s": take.t_s,
+        "joints_deg": take.joints_deg,
+        "signals": [
+            { "name": GRIPPER, "at_s": 0.0, "on": false },
+            { "name": GRIPPER, "at_s": closes_s, "on": true },
+        ],
+    })
 }
 
 async fn work_gripper(client: &Client, on: bool) -> e2e::Reply {
