@@ -35,6 +35,14 @@ pub enum ReproducingError {
     /// The plan was never made, or was forgotten.
     #[error("this preview is not known any more")]
     PlanUnknown,
+    /// The plan was made for another robot's pose and limits.
+    #[error("this preview was made for the robot \"{of}\", not for \"{robot}\"")]
+    OtherRobot {
+        /// The robot that it was made for.
+        of: String,
+        /// The robot that was to run it.
+        robot: String,
+    },
     /// The client's key or identifier was used for another motion.
     #[error("this start was already used for another motion")]
     KeyReused,
@@ -69,15 +77,18 @@ struct Tools {
     store: Store,
     events: Events,
     clock: SharedClock,
+    /// What the robot is called.
+    name: Arc<str>,
     robot: Robot,
 }
 
 impl Reproducer {
-    /// A reproducer for this robot and these plans.
+    /// A reproducer for this robot, which requests call `name`, and these plans.
     pub fn new(
         store: Store,
         events: Events,
         clock: SharedClock,
+        name: &str,
         robot: Robot,
         plans: Arc<Plans>,
     ) -> Self {
@@ -86,6 +97,7 @@ impl Reproducer {
                 store,
                 events,
                 clock,
+                name: name.into(),
                 robot,
             },
             plans,
@@ -93,7 +105,7 @@ impl Reproducer {
         }))
     }
 
-    /// At start-up: motions that the last run left running have failed.
+    /// At start-up: motions that the last run left running have failed, whichever robot made them.
     pub async fn recover(&self) -> Result<u64, store::Error> {
         let tools = &self.0.tools;
         let now = tools.clock.now();
@@ -115,22 +127,21 @@ impl Reproducer {
     async fn begin(&self, request: StartRequest) -> Result<Reproduction, ReproducingError> {
         let mut last = self.0.last.lock().await;
         if let Some(known) = self.known(&request).await? {
-            return if known.plan == request.plan {
+            // Robots that stand alike have the same plan, but each its own motion.
+            let same = known.robot.as_deref() == Some(&*self.0.tools.name);
+            return if same && known.plan == request.plan {
                 Ok(known)
             } else {
                 Err(ReproducingError::KeyReused)
             };
         }
-        let plan = self
-            .0
-            .plans
-            .find(&request.plan)
-            .ok_or(ReproducingError::PlanUnknown)?;
+        let plan = self.plan(&request.plan)?;
         let tools = &self.0.tools;
         let new = NewReproduction {
             id: request.id.unwrap_or_else(ReproductionId::new),
             task_id: plan.task_id,
             model_id: plan.model_id,
+            robot: &tools.name,
             plan: &request.plan,
             start_deg: &plan.start.0,
             goal_deg: &plan.goal.0,
@@ -176,6 +187,20 @@ impl Reproducer {
         {
             tracing::error!(%error, "the end of a reproduction could not be stored");
         }
+    }
+
+    /// This robot's plan with this hash.
+    fn plan(&self, hash: &str) -> Result<Arc<KnownPlan>, ReproducingError> {
+        let (plans, robot) = (&self.0.plans, &self.0.tools.name);
+        plans
+            .find(hash, robot)
+            .ok_or_else(|| match plans.robot_of(hash) {
+                Some(of) => ReproducingError::OtherRobot {
+                    of,
+                    robot: robot.to_string(),
+                },
+                None => ReproducingError::PlanUnknown,
+            })
     }
 
     async fn known(&self, request: &StartRequest) -> Result<Option<Reproduction>, store::Error> {

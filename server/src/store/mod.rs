@@ -79,7 +79,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 4] = [
+const MIGRATIONS: [(i64, &str, &str); 5] = [
     (
         1,
         "tasks and demonstrations",
@@ -99,6 +99,11 @@ const MIGRATIONS: [(i64, &str, &str); 4] = [
         4,
         "pairing and audit",
         include_str!("../../../migrations/0004_pairing_and_audit.sql"),
+    ),
+    (
+        5,
+        "robots",
+        include_str!("../../../migrations/0005_robots.sql"),
     ),
 ];
 

@@ -42,6 +42,9 @@ pub struct Reproduction {
     pub task_id: TaskId,
     /// By which model.
     pub model_id: ModelId,
+    /// The robot that made it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub robot: Option<String>,
     /// The plan that was run: its SHA-256.
     pub plan: String,
     /// Where it is in its life.
@@ -85,6 +88,8 @@ pub struct NewReproduction<'a> {
     pub task_id: TaskId,
     /// By which model.
     pub model_id: ModelId,
+    /// By which robot.
+    pub robot: &'a str,
     /// The plan's SHA-256.
     pub plan: &'a str,
     /// Where the motion is to begin.
@@ -129,8 +134,8 @@ impl Store {
     ) -> Result<Reproduction> {
         sqlx::query(
             "INSERT INTO reproduction (id, task_id, model_id, plan, state, created_at_ms, \
-             start_deg, goal_deg, duration_s, idempotency_key) \
-             VALUES (?, ?, ?, ?, 'running', ?, ?, ?, ?, ?)",
+             start_deg, goal_deg, duration_s, idempotency_key, robot) \
+             VALUES (?, ?, ?, ?, 'running', ?, ?, ?, ?, ?, ?)",
         )
         .bind(new.id.to_string())
         .bind(new.task_id.to_string())
@@ -141,6 +146,7 @@ impl Store {
         .bind(to_json(&new.goal_deg, "goal")?)
         .bind(new.duration_s)
         .bind(new.idempotency_key)
+        .bind(new.robot)
         .execute(&self.writer)
         .await?;
         self.reproduction(new.id).await
@@ -175,9 +181,10 @@ impl Store {
             .transpose()
     }
 
-    /// The reproduction that is running.
-    pub async fn running_reproduction(&self) -> Result<Option<Reproduction>> {
-        sqlx::query("SELECT * FROM reproduction WHERE state = 'running' LIMIT 1")
+    /// The reproduction that this robot is running.
+    pub async fn running_reproduction(&self, robot: &str) -> Result<Option<Reproduction>> {
+        sqlx::query("SELECT * FROM reproduction WHERE state = 'running' AND robot = ? LIMIT 1")
+            .bind(robot)
             .fetch_optional(&self.readers)
             .await?
             .as_ref()
@@ -284,6 +291,7 @@ fn from_row(row: &SqliteRow) -> Result<Reproduction> {
         id: parsed(row, "id")?,
         task_id: parsed(row, "task_id")?,
         model_id: parsed(row, "model_id")?,
+        robot: row.try_get("robot")?,
         plan: row.try_get("plan")?,
         state: parsed(row, "state")?,
         reason: row.try_get("reason")?,
