@@ -4,11 +4,14 @@
 mod api;
 mod cli;
 mod crash;
+mod flight;
 mod in_process;
 mod independent;
+mod pace;
 mod pairing;
 mod prepared;
 mod published;
+mod signals;
 mod steps;
 mod stop;
 mod teach_and_reproduce;

@@ -28,6 +28,9 @@ pub struct Args {
     /// Where Robot Web Services listen. Any address of this computer; port 0 takes any free port.
     #[arg(long, default_value_t = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), 8081), value_name = "ADDRESS:PORT")]
     pub rws: SocketAddr,
+    /// Serve them over HTTPS, with a certificate made at the start; its fingerprint is printed.
+    #[arg(long)]
+    pub https: bool,
     /// Faults by script, a JSON file.
     #[arg(long, value_name = "FILE")]
     pub faults: Option<PathBuf>,
@@ -88,6 +91,7 @@ impl Args {
     fn config(&self) -> Result<Config, CliError> {
         let mut config = Config::new(resolve(&self.egm)?);
         config.rws_listen = self.rws;
+        config.rws_https = self.https;
         if !self.home.is_empty() {
             let home = <[f64; JOINTS]>::try_from(&*self.home).map_err(|_| {
                 CliError::Usage("--home needs six angles in degrees, q1,..,q6".into())
@@ -162,9 +166,12 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             robot.faults().play(script)?;
         }
         println!(
-            "The virtual robot is ready: http://{}/ (EGM to {egm})",
-            robot.rws_addr()
+            "The virtual robot is ready: {}/ (EGM to {egm})",
+            robot.rws_url()
         );
+        if let Some(sha256) = robot.certificate_sha256() {
+            println!("The SHA-256 fingerprint of its certificate is {sha256}");
+        }
         tokio::select! {
             () = watch(&robot, args.run) => {}
             ended = asked_by_the_system() => ended.map_err(system)?,

@@ -95,6 +95,9 @@ pub struct Config {
     pub egm_remote: SocketAddr,
     /// Where Robot Web Services listen; port 0 takes a free one.
     pub rws_listen: SocketAddr,
+    /// Robot Web Services are served over HTTPS, with a certificate of the controller's own that
+    /// no authority has signed, as real ones do.
+    pub rws_https: bool,
     /// Joint angles at the start, deg.
     pub home: JointAngles,
     /// Name of the controller in `/rw/system`.
@@ -110,6 +113,7 @@ impl Config {
         Self {
             egm_remote,
             rws_listen: SocketAddr::from((Ipv4Addr::LOCALHOST, 0)),
+            rws_https: false,
             home: JointAngles([0.0, 8.0, 24.0, 0.0, -45.0, 0.0]),
             name: "virtual_gofa".to_owned(),
             egm: EgmSettings::default(),

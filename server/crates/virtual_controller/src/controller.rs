@@ -22,7 +22,7 @@ use crate::faults::Faults;
 use crate::faults::link::ControllerFault;
 use crate::faults::script::FaultScript;
 use crate::hand::Hand;
-use crate::signals::Signals;
+use crate::signals::{GRIPPER_CLOSE, Signals};
 
 pub use guidance::LeadThrough;
 pub use panel::{ControllerState, OperatingMode};
@@ -186,6 +186,9 @@ impl Controller {
         if self.lead_through.is_soft() {
             if let Some(at) = self.hand.step(egm.cycle_s) {
                 self.arm.place(at);
+            }
+            if let Some(close) = self.hand.grips() {
+                self.turn_signal(GRIPPER_CLOSE, close);
             }
         } else if let Some(session) = &mut self.session {
             if let Err(failure) = session.cycle(datagram, &mut self.arm, &egm, rest_s) {

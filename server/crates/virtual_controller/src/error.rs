@@ -13,6 +13,9 @@ pub enum Error {
         /// What the system said.
         source: std::io::Error,
     },
+    /// The certificate cannot be made.
+    #[error("the certificate cannot be made: {0}")]
+    Certificate(String),
     /// The control thread cannot be started.
     #[error("the control thread cannot be started: {0}")]
     Thread(std::io::Error),

@@ -22,6 +22,8 @@ pub struct Faults {
     pub egm_lost: bool,
     /// Lead-through is accepted, and taken back by the safety controller (event 90515).
     pub lead_through_reverts: bool,
+    /// Signals that clients set are accepted, and stay as they are.
+    pub signals_stuck: bool,
     /// The start of the program is accepted, and taken back.
     pub start_reverts: bool,
     /// Every request of Robot Web Services is answered with 503.
@@ -61,5 +63,11 @@ impl FaultSwitches {
     /// Sets a signal as the cell's wiring does, for example a button at the arm.
     pub fn wire_signal(&self, name: &str, on: bool) {
         lock(&self.0).turn_signal(name, on);
+    }
+
+    /// How a signal stands; nothing when there is none with this name.
+    #[must_use]
+    pub fn signal(&self, name: &str) -> Option<bool> {
+        lock(&self.0).signals().find(name).map(|signal| signal.on)
     }
 }
