@@ -1,6 +1,7 @@
 //! The command line beside the server: training, reproduction and
-//! evaluation on files.
+//! evaluation on files, and a look at the links to a controller.
 
+pub mod doctor;
 pub mod evaluate;
 mod folder;
 pub mod reproduce;
@@ -43,6 +44,14 @@ pub enum CliError {
         /// What it refused.
         #[from]
         error: learning::Error,
+    },
+    /// Something between this computer and a controller is not as it should be.
+    #[error("{failed} of {all} checks failed")]
+    Unwell {
+        /// So many.
+        failed: usize,
+        /// Of so many.
+        all: usize,
     },
     /// Threads could not be started.
     #[error("the worker threads could not be started: {0}")]
