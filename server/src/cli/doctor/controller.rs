@@ -24,7 +24,8 @@ pub async fn look(client: &Client, arguments: &Args, report: &mut Report) {
     motors(client, report).await;
     program(client, report).await;
     position(client, report).await;
-    lead_through(client, arguments.move_arm, report).await;
+    let ready = report.all_ok(&[Step::Mode, Step::Motors]);
+    lead_through(client, arguments.move_arm.then_some(ready), report).await;
     signals(client, &arguments.signals, report).await;
     clock(client, report).await;
 }
@@ -168,16 +169,23 @@ async fn position(client: &Client, report: &mut Report) {
     }
 }
 
-async fn lead_through(client: &Client, toggle: bool, report: &mut Report) {
+/// `toggle` is whether the arm is ready to be made soft, if that is wanted.
+async fn lead_through(client: &Client, toggle: Option<bool>, report: &mut Report) {
     let active = match client.lead_through().await {
         Ok(active) => active,
         Err(error) => return report.refused(Step::LeadThrough, &error),
     };
-    if !toggle {
+    let Some(ready) = toggle else {
         let now = if active { "active" } else { "inactive" };
         return report.ok(
             Step::LeadThrough,
             format!("{now}; with --move-arm it is tried whether it can be switched"),
+        );
+    };
+    if !ready {
+        return report.skipped(
+            Step::LeadThrough,
+            "the arm is not made soft outside of automatic mode or while a stop is active",
         );
     }
     if active || !matches!(client.execution().await, Ok(Execution::Stopped)) {
@@ -232,7 +240,8 @@ async fn clock(client: &Client, report: &mut Report) {
     };
     // The controller shows the time of its zone, and zones differ by quarters of an hour.
     let zone_s = (ahead_s / QUARTER_HOUR_S).round() * QUARTER_HOUR_S;
-    let apart_s = ahead_s - zone_s;
+    // Without the sum, a little behind would be written as "-0".
+    let apart_s = (ahead_s - zone_s).round() + 0.0;
     let saw =
         format!("the controller shows {text}, {apart_s:+.0} s from ours beside whole time zones");
     if apart_s.abs() <= CLOCKS_AGREE_S && zone_s.abs() <= WIDEST_ZONE_S {

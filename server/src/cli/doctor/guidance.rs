@@ -21,6 +21,9 @@ const COMPLAINTS: [u32; 3] = [41_822, 41_826, 41_830];
 const ONE_LOST_IN: u64 = 100;
 /// The controller's own time-out is a second: answers that it does not see end the session by then.
 const APPLIED_S: f64 = 1.5;
+/// What has to be in order before the robot program is started: with another program in the
+/// controller than TEAM's, the arm would move.
+const NEEDED: [Step; 4] = [Step::Rights, Step::Mode, Step::Motors, Step::Program];
 /// An arm that is held may give way by so much.
 const STILL_DEG: f64 = 0.5;
 
@@ -41,7 +44,16 @@ pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, repo
         }
     };
     report.ok(Step::EgmPort, listen_at.to_string());
-    let started = match arguments.move_arm {
+    let before = client.execution().await;
+    // A program that runs is somebody's; it is listened to, and goes on.
+    let ours = arguments.move_arm && matches!(before, Ok(Execution::Stopped));
+    if ours && !report.all_ok(&NEEDED) {
+        for step in [Step::EgmMessages, Step::EgmAnswers] {
+            report.skipped(step, "the robot program is not started before the mode, the motors, the rights and the modules are in order");
+        }
+        return;
+    }
+    let started = match ours {
         true => start_program(client).await,
         false => Ok(()),
     };
@@ -51,7 +63,7 @@ pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, repo
     };
     let complaint = complaint(client).await;
     let running = client.execution().await;
-    if arguments.move_arm {
+    if ours {
         // Whatever happened, nothing runs afterwards. Only a program that stands already refuses.
         client.stop_execution().await.ok();
         client.set_motors(false).await.ok();
@@ -68,9 +80,6 @@ pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, repo
 
 /// From its beginning, because a program stopped in the middle keeps an EGM identity.
 async fn start_program(client: &Client) -> Result<(), RwsError> {
-    if client.execution().await? == Execution::Running {
-        client.stop_execution().await?;
-    }
     client.request_edit_mastership().await?;
     let reset = client.reset_program_pointer().await;
     client.release_edit_mastership().await?;

@@ -128,6 +128,13 @@ impl Report {
         }
     }
 
+    /// Whether all of these went well.
+    pub fn all_ok(&self, steps: &[Step]) -> bool {
+        steps
+            .iter()
+            .all(|step| self.with(Outcome::Ok).any(|ok| ok == *step))
+    }
+
     pub fn findings(&self) -> &[Finding] {
         &self.0
     }

@@ -143,6 +143,27 @@ async fn when_it_may_it_tries_lead_through_and_the_program_and_leaves_the_arm_at
 }
 
 #[tokio::test]
+async fn the_arm_is_left_alone_while_a_stop_is_active_even_when_it_may_be_moved() {
+    let mut cell = cell(|_| {}).await;
+    cell.arguments.move_arm = true;
+    cell.controller.faults().guard_stop(true);
+    let report = cell.examine().await;
+    assert_failed(&report, &[Step::Motors]);
+    for step in [Step::LeadThrough, Step::EgmMessages, Step::EgmAnswers] {
+        assert_eq!(
+            finding(&report, step).outcome,
+            Outcome::Skipped,
+            "{}",
+            report.text()
+        );
+    }
+    let events = cell.client().events(1, 50).await.unwrap();
+    let started = events.iter().any(|event| event.title == "Program started");
+    assert!(!started, "{events:?}");
+    cell.controller.stop().await;
+}
+
+#[tokio::test]
 async fn without_messages_it_says_that_the_program_stands_and_what_to_check() {
     let mut cell = cell(|_| {}).await;
     cell.arguments.egm_wait = 0.2;
