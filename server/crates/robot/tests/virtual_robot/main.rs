@@ -4,5 +4,6 @@
 mod connection;
 mod faults;
 mod guidance;
+mod https;
 mod runs;
 mod support;
