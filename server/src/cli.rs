@@ -1,5 +1,5 @@
 //! The command line beside the server: training, reproduction and
-//! evaluation on files, and a look at the links to a controller.
+//! evaluation on files, a look at the links to a controller, and the virtual robot by itself.
 
 pub mod doctor;
 pub mod evaluate;
@@ -7,6 +7,7 @@ mod folder;
 pub mod reproduce;
 mod terminal;
 pub mod train;
+pub mod virtual_robot;
 
 /// Why a command failed; printed to people, with what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -53,6 +54,9 @@ pub enum CliError {
         /// Of so many.
         all: usize,
     },
+    /// The virtual robot did not start, or its script makes no sense.
+    #[error("the virtual robot does not start: {0}")]
+    VirtualRobot(#[from] virtual_controller::Error),
     /// Threads could not be started.
     #[error("the worker threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

@@ -8,6 +8,7 @@ mod auth;
 mod demonstrations;
 mod error;
 mod extract;
+mod flights;
 mod headers;
 mod health;
 mod jobs;
@@ -17,7 +18,9 @@ mod plans;
 mod reproductions;
 mod robot;
 mod router;
+mod run_control;
 mod session;
+mod signals;
 mod state;
 mod tasks;
 #[cfg(test)]

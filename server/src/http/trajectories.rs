@@ -5,8 +5,10 @@ use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
 use super::error::ApiError;
+use super::signals::{RunSignalMark, SignalMark};
+use crate::store::cycles::Cycle;
 use crate::store::recordings::Gap;
-use crate::store::samples::{Cycle, Sample};
+use crate::store::samples::Sample;
 
 /// How many points a plot wants at most.
 #[derive(Debug, Deserialize, IntoParams)]
@@ -44,6 +46,15 @@ pub struct Trajectory {
     tcp_mm: Vec<Vec<f64>>,
     /// Stretches without samples.
     gaps: Vec<GapAnswer>,
+    /// What was done with signals.
+    signals: Vec<SignalMark>,
+}
+
+impl Trajectory {
+    /// The same with what was done with signals.
+    pub fn with_signals(self, signals: Vec<SignalMark>) -> Self {
+        Self { signals, ..self }
+    }
 }
 
 /// A stretch without samples.
@@ -64,6 +75,15 @@ pub struct RunTrajectory {
     commanded_deg: Vec<Vec<f64>>,
     /// For each joint, the angle that the controller reported in degrees.
     measured_deg: Vec<Vec<f64>>,
+    /// The signals that were set on the way.
+    signals: Vec<RunSignalMark>,
+}
+
+impl RunTrajectory {
+    /// The same with the signals that were set.
+    pub fn with_signals(self, signals: Vec<RunSignalMark>) -> Self {
+        Self { signals, ..self }
+    }
 }
 
 /// The learnt motion.
@@ -99,18 +119,17 @@ pub fn trajectory_of(samples: &[Sample], gaps: &[Gap], max_points: usize) -> Tra
                 length_s: seconds(gap.length_us),
             })
             .collect(),
+        signals: Vec::new(),
     }
 }
 
-/// A reproduction's columns.
-pub fn run_trajectory_of(cycles: &[Cycle], max_points: usize) -> RunTrajectory {
-    let picked: Vec<&Cycle> = picks(cycles.len(), max_points)
-        .map(|i| &cycles[i])
-        .collect();
+/// A reproduction's columns, from the cycles that were picked.
+pub fn run_trajectory_of(picked: &[Cycle]) -> RunTrajectory {
     RunTrajectory {
         t_s: picked.iter().map(|cycle| seconds(cycle.at_us)).collect(),
         commanded_deg: columns(picked.iter().map(|cycle| cycle.commanded_deg)),
         measured_deg: columns(picked.iter().map(|cycle| cycle.measured_deg)),
+        signals: Vec::new(),
     }
 }
 
@@ -147,19 +166,21 @@ pub fn plan_columns(
 }
 
 /// Evenly spread indices of `len` things, at most `max_points`, the first and the last included.
-fn picks(len: usize, max_points: usize) -> impl Iterator<Item = usize> + Clone {
+pub(super) fn picks(len: usize, max_points: usize) -> impl Iterator<Item = usize> + Clone {
     let points = len.min(max_points.max(2));
     let intervals = points.saturating_sub(1).max(1);
     (0..points).map(move |i| (i * (len - 1) + intervals / 2) / intervals)
 }
 
-fn columns<const N: usize>(rows: impl Iterator<Item = [f64; N]> + Clone) -> Vec<Vec<f64>> {
+pub(super) fn columns<const N: usize>(
+    rows: impl Iterator<Item = [f64; N]> + Clone,
+) -> Vec<Vec<f64>> {
     (0..N)
         .map(|column| rows.clone().map(|row| row[column]).collect())
         .collect()
 }
 
-fn seconds(us: u64) -> f64 {
+pub(super) fn seconds(us: u64) -> f64 {
     us as f64 / 1e6
 }
 

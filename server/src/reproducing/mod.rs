@@ -3,25 +3,29 @@
 //! Not here: the motion itself (crate `robot`) and its approval (`planning`, `motion::gate`).
 
 mod figures;
+mod record;
 
 use std::sync::Arc;
 
-use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome};
+use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome, SignalSet};
 use tokio::sync::Mutex;
 use tokio::task::JoinHandle;
 
 use crate::clock::SharedClock;
 use crate::events::Events;
 use crate::ids::ReproductionId;
+use crate::planning::PlanError;
 use crate::plans::{KnownPlan, Plans};
+use crate::store::flights::{FlightEvent, NewFlight, Stretch};
 use crate::store::reproductions::{
     NewReproduction, Reproduction, ReproductionResult, ReproductionState,
 };
-use crate::store::samples::Cycle;
+use crate::store::signals::RunSignal;
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
 use crate::words::sentence;
-use figures::{Figures, MotionPart};
+use figures::{Figures, Measure, MotionPart};
+use record::Keeper;
 
 /// Why a reproduction could not begin.
 #[derive(Debug, thiserror::Error)]
@@ -35,6 +39,12 @@ pub enum ReproducingError {
     /// The plan was never made, or was forgotten.
     #[error("this preview is not known any more")]
     PlanUnknown,
+    /// There is no way back.
+    #[error(transparent)]
+    NoWay(#[from] PlanError),
+    /// A computation failed.
+    #[error("the way back could not be worked out")]
+    Crashed(tokio::task::JoinError),
     /// The client's key or identifier was used for another motion.
     #[error("this start was already used for another motion")]
     KeyReused,
@@ -72,6 +82,18 @@ struct Tools {
     robot: Robot,
 }
 
+impl Tools {
+    async fn finish(&self, id: ReproductionId, result: &ReproductionResult) {
+        let now = self.clock.now();
+        match self.store.finish_reproduction(id, result, now).await {
+            Ok(reproduction) => self.events.tell(&reproduction),
+            Err(error) => {
+                tracing::error!(reproduction.id = %id, %error, "a reproduction could not be stored");
+            }
+        }
+    }
+}
+
 impl Reproducer {
     /// A reproducer for this robot and these plans.
     pub fn new(
@@ -93,14 +115,39 @@ impl Reproducer {
         }))
     }
 
-    /// At start-up: motions that the last run left running have failed.
+    /// At start-up: motions that the last run left running have failed. Their records can be read
+    /// up to where they end.
     pub async fn recover(&self) -> Result<u64, store::Error> {
         let tools = &self.0.tools;
-        let now = tools.clock.now();
-        tools
-            .store
-            .fail_running_reproductions(LEFT_RUNNING, now)
-            .await
+        let mut found = 0;
+        while let Some(left) = tools.store.running_reproduction().await? {
+            let figures = match measured(&tools.store, left.id, Measure::default()).await {
+                Ok(measure) => measure.broken(),
+                Err(error) => {
+                    tracing::error!(reproduction.id = %left.id, %error, "a flight record can't be read");
+                    Figures::default()
+                }
+            };
+            let end_us = tools.store.flight_end_us(left.id).await.ok().flatten();
+            let interrupted = NewFlight {
+                armed_at: None,
+                cycles: &[],
+                events: &[FlightEvent {
+                    at_us: end_us.unwrap_or(0),
+                    code: "interrupted".into(),
+                    message: LEFT_RUNNING.into(),
+                }],
+            };
+            tools.store.append_flight(left.id, interrupted).await?;
+            let now = tools.clock.now();
+            let result = failed(LEFT_RUNNING, figures);
+            tools
+                .store
+                .finish_reproduction(left.id, &result, now)
+                .await?;
+            found += 1;
+        }
+        Ok(found)
     }
 
     /// Starts a motion, once: a start that is repeated returns the motion that it began.
@@ -168,6 +215,54 @@ impl Reproducer {
         Ok(tools.store.reproduction(id).await?)
     }
 
+    /// Changes the speed of a running motion, pauses it, or lets it go on.
+    ///
+    /// # Errors
+    /// When it does not run, or the speed is none.
+    pub async fn pace(
+        &self,
+        id: ReproductionId,
+        speed: Option<f64>,
+        paused: Option<bool>,
+    ) -> Result<(), ReproducingError> {
+        let tools = &self.0.tools;
+        if tools.store.reproduction(id).await?.state != ReproductionState::Running {
+            return Err(RobotError::NotRunning.into());
+        }
+        if let Some(speed) = speed {
+            tools.robot.set_speed(speed)?;
+        }
+        if let Some(paused) = paused {
+            tools.robot.set_paused(paused)?;
+        }
+        Ok(())
+    }
+
+    /// Plans the way back of a motion that is over.
+    ///
+    /// # Errors
+    /// When it still runs, its plan is forgotten, or there is no way.
+    pub async fn way_back(&self, id: ReproductionId) -> Result<Arc<KnownPlan>, ReproducingError> {
+        let Inner { tools, plans, .. } = &*self.0;
+        let reproduction = tools.store.reproduction(id).await?;
+        if reproduction.state == ReproductionState::Running {
+            let state = tools.robot.view().borrow().state;
+            return Err(RobotError::Busy { state }.into());
+        }
+        let plan = plans
+            .find(&reproduction.plan)
+            .ok_or(ReproducingError::PlanUnknown)?;
+        let mut stopped_s = 0.0;
+        let mut pages = tools.store.flight(id, Stretch::ALL);
+        while let Some(cycles) = pages.next().await? {
+            stopped_s = cycles.last().map_or(stopped_s, |cycle| cycle.plan_t_s);
+        }
+        let back = tokio::task::spawn_blocking(move || plan.back(stopped_s))
+            .await
+            .map_err(ReproducingError::Crashed)??;
+        Ok(plans.remember(back))
+    }
+
     /// Waits until the last motion's end is stored.
     pub async fn settled(&self) {
         let mut last = self.0.last.lock().await;
@@ -193,77 +288,123 @@ impl Reproducer {
     }
 }
 
-/// Waits for the end of a run and stores what came of it.
-async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, handle: RunHandle) {
-    let outcome = handle.outcome.await.ok();
-    let judged = tokio::task::spawn_blocking(move || judge(&plan, outcome)).await;
-    let (result, cycles) = match judged {
-        Ok(judged) => judged,
-        Err(error) => {
-            tracing::error!(reproduction.id = %id, %error, "a reproduction could not be judged");
-            (
-                failed("What came of the motion could not be worked out."),
-                Vec::new(),
-            )
+/// Keeps the record of a run while it goes on, waits for its end and stores what came of it.
+async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, mut handle: RunHandle) {
+    let mut keeper = Keeper::new(tools.store.clone(), Arc::clone(&tools.clock), id);
+    while let Some(chunk) = handle.flight.recv().await {
+        keeper.keep(chunk).await;
+    }
+    let end = match handle.outcome.await {
+        Ok(RunOutcome { end, signals, rest }) => {
+            keeper.finish(rest).await;
+            keep_signals(&tools.store, id, signals).await;
+            Some(end)
         }
+        Err(_) => None,
     };
-    let now = tools.clock.now();
-    match tools
-        .store
-        .finish_reproduction(id, &result, &cycles, now)
+    let result = judge(&tools.store, id, plan, end)
         .await
-    {
-        Ok(reproduction) => tools.events.tell(&reproduction),
-        Err(error) => {
-            tracing::error!(reproduction.id = %id, %error, "a reproduction could not be stored");
+        .unwrap_or_else(|error| {
+            tracing::error!(reproduction.id = %id, %error, "a reproduction could not be judged");
+            failed(
+                "What came of the motion could not be worked out.",
+                Figures::default(),
+            )
+        });
+    tools.finish(id, &result).await;
+}
+
+/// What a run came to, from its stored record.
+async fn judge(
+    store: &Store,
+    id: ReproductionId,
+    plan: Arc<KnownPlan>,
+    end: Option<RunEnd>,
+) -> anyhow::Result<ReproductionResult> {
+    if end == Some(RunEnd::Completed) {
+        let known = Arc::clone(&plan);
+        let learnt = tokio::task::spawn_blocking(move || known.model.regression()).await?;
+        let part = MotionPart {
+            begins_s: plan.plan.approach_s(),
+            stretch: plan.stretch,
+        };
+        let measure = if plan.backwards {
+            Measure::default()
+        } else {
+            Measure::along(part, &learnt)
+        };
+        let measure = measured(store, id, measure).await?;
+        let figures =
+            tokio::task::spawn_blocking(move || measure.completed(&plan.goal.0, &learnt)).await?;
+        return Ok(result(ReproductionState::Succeeded, None, figures));
+    }
+    let figures = measured(store, id, Measure::default()).await?.broken();
+    Ok(match end {
+        Some(RunEnd::Failed(fault)) => {
+            let reason = format!("{} {}", sentence(&fault.message), fault.advice);
+            failed(&reason, figures)
         }
+        Some(_) => result(
+            ReproductionState::Stopped,
+            Some("It was stopped.".into()),
+            figures,
+        ),
+        None => failed("The connection to the arm was lost.", figures),
+    })
+}
+
+async fn keep_signals(store: &Store, id: ReproductionId, set: Vec<SignalSet>) {
+    let kept = match run_signals(store, id, set).await {
+        Ok(signals) => store.add_run_signals(id, &signals).await,
+        Err(error) => Err(error),
+    };
+    if let Err(error) = kept {
+        tracing::error!(reproduction.id = %id, %error, "a reproduction's signals could not be stored");
     }
 }
 
-fn judge(plan: &KnownPlan, outcome: Option<RunOutcome>) -> (ReproductionResult, Vec<Cycle>) {
-    let Some(outcome) = outcome else {
-        return (failed("The connection to the arm was lost."), Vec::new());
+/// On the record's clock: when the plan came to each signal, and how late it was set then.
+async fn run_signals(
+    store: &Store,
+    id: ReproductionId,
+    set: Vec<SignalSet>,
+) -> Result<Vec<RunSignal>, store::Error> {
+    let mut left = set.into_iter().peekable();
+    let mut signals = Vec::new();
+    let mut last_us = 0;
+    let place = |signal: SignalSet, due_us: u64| RunSignal {
+        at_us: due_us + (signal.late_s * 1e6).round() as u64,
+        name: signal.name,
+        on: signal.on,
+        late_s: signal.late_s,
     };
-    let cycles: Vec<Cycle> = outcome
-        .record
-        .iter()
-        .map(|cycle| Cycle {
-            at_us: cycle.at_us,
-            plan_t_s: cycle.plan_t_s,
-            commanded_deg: cycle.commanded.0,
-            measured_deg: cycle.measured.0,
-        })
-        .collect();
-    let result = match outcome.end {
-        RunEnd::Completed => {
-            let part = MotionPart {
-                begins_s: plan.plan.approach_s(),
-                stretch: plan.stretch,
-            };
-            let learnt = plan.model.regression();
-            let figures = figures::of_completed(&cycles, part, &plan.goal.0, &learnt);
-            result(ReproductionState::Succeeded, None, figures)
+    let mut pages = store.flight(id, Stretch::ALL);
+    while let Some(cycles) = pages.next().await? {
+        for cycle in cycles {
+            last_us = cycle.at_us;
+            while let Some(signal) = left.next_if(|signal| signal.at_s <= cycle.plan_t_s) {
+                signals.push(place(signal, last_us));
+            }
         }
-        RunEnd::Stopped => result(
-            ReproductionState::Stopped,
-            Some("It was stopped.".into()),
-            figures::of_broken(&cycles),
-        ),
-        RunEnd::Failed(fault) => result(
-            ReproductionState::Failed,
-            Some(format!("{} {}", sentence(&fault.message), fault.advice)),
-            figures::of_broken(&cycles),
-        ),
-    };
-    (result, cycles)
+    }
+    signals.extend(left.map(|signal| place(signal, last_us)));
+    Ok(signals)
 }
 
-fn failed(reason: &str) -> ReproductionResult {
-    result(
-        ReproductionState::Failed,
-        Some(reason.into()),
-        Figures::default(),
-    )
+async fn measured(
+    store: &Store,
+    id: ReproductionId,
+    mut measure: Measure,
+) -> Result<Measure, store::Error> {
+    let mut pages = store.flight(id, Stretch::ALL);
+    while let Some(cycles) = pages.next().await? {
+        measure.add(&cycles);
+    }
+    Ok(measure)
+}
+
+fn failed(reason: &str, figures: Figures) -> ReproductionResult {
+    result(ReproductionState::Failed, Some(reason.into()), figures)
 }
 
 fn result(
@@ -278,5 +419,6 @@ fn result(
         e_j_commanded_deg: figures.e_j_commanded_deg,
         gmcc: figures.gmcc,
         tracking_error_deg: figures.tracking_error_deg,
+        cycles: figures.cycles,
     }
 }

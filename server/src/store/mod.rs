@@ -5,7 +5,9 @@
 //! sqlx, so waiting for the store never blocks the async threads.
 
 mod audit;
+pub mod cycles;
 pub mod demonstrations;
+pub mod flights;
 pub mod jobs;
 pub mod leases;
 pub mod models;
@@ -13,6 +15,7 @@ mod pairing;
 pub mod recordings;
 pub mod reproductions;
 pub mod samples;
+pub mod signals;
 mod tasks;
 #[cfg(test)]
 mod tests;
@@ -79,7 +82,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 4] = [
+const MIGRATIONS: [(i64, &str, &str); 6] = [
     (
         1,
         "tasks and demonstrations",
@@ -99,6 +102,16 @@ const MIGRATIONS: [(i64, &str, &str); 4] = [
         4,
         "pairing and audit",
         include_str!("../../../migrations/0004_pairing_and_audit.sql"),
+    ),
+    (
+        6,
+        "signals",
+        include_str!("../../../migrations/0006_signals.sql"),
+    ),
+    (
+        7,
+        "flights",
+        include_str!("../../../migrations/0007_flights.sql"),
     ),
 ];
 

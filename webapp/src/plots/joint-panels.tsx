@@ -23,9 +23,11 @@ interface Props {
   bandDeg?: number[][];
   /** Where the motion proper begins: a vertical line. */
   markS?: number;
+  /** Where signals are worked: vertical lines of their own. */
+  signalsS?: number[];
 }
 
-export function JointPanels({ title, timesS, layers, bandDeg, markS }: Props) {
+export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS }: Props) {
   const main = layers[0]?.joints ?? [];
   return (
     <figure class="panels">
@@ -33,7 +35,7 @@ export function JointPanels({ title, timesS, layers, bandDeg, markS }: Props) {
       {layers.length > 1 && <Legend layers={layers} />}
       <div class="panel-grid" role="img" aria-label={sentence(title, timesS, main)}>
         {main.map((_, joint) => (
-          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, joint }} />
+          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, signalsS, joint }} />
         ))}
       </div>
       <NumbersTable caption={title} joints={main} />
@@ -46,10 +48,11 @@ interface PanelProps {
   layers: Layer[];
   bandDeg: number[][] | undefined;
   markS: number | undefined;
+  signalsS: number[] | undefined;
   joint: number;
 }
 
-function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
+function Panel({ timesS, layers, bandDeg, markS, signalsS, joint }: PanelProps) {
   const band = bandDeg?.[joint];
   const data = useMemo<uPlot.AlignedData>(() => {
     const lines = layers.map((layer) => layer.joints[joint] ?? []);
@@ -59,7 +62,7 @@ function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
       : [];
     return [timesS, ...edges, ...lines];
   }, [timesS, layers, band, joint]);
-  const options = () => panelOptions(layers, band !== undefined, markS);
+  const options = () => panelOptions(layers, band !== undefined, markS, signalsS);
   const summary = summarise(layers[0]?.joints[joint] ?? []);
   return (
     <div class="panel">
@@ -72,7 +75,12 @@ function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
   );
 }
 
-function panelOptions(layers: Layer[], banded: boolean, markS: number | undefined) {
+function panelOptions(
+  layers: Layer[],
+  banded: boolean,
+  markS: number | undefined,
+  signalsS: number[] = [],
+) {
   const edge: uPlot.Series = { stroke: "transparent", points: { show: false } };
   const lines = layers.map((layer) => ({
     stroke: colour(layer.look === "dashed" ? "plot-second" : "plot-first"),
@@ -96,16 +104,20 @@ function panelOptions(layers: Layer[], banded: boolean, markS: number | undefine
     ],
   };
   if (banded) options.bands = [{ series: [1, 2], fill: colour("plot-band") }];
-  if (markS !== undefined) options.hooks = { draw: [(plot) => drawMark(plot, markS)] };
+  const draw = [
+    ...(markS === undefined ? [] : [(plot: uPlot) => drawMark(plot, markS, [2, 4])]),
+    ...signalsS.map((atS) => (plot: uPlot) => drawMark(plot, atS, [])),
+  ];
+  options.hooks = { draw };
   return options;
 }
 
-function drawMark(plot: uPlot, atS: number): void {
+function drawMark(plot: uPlot, atS: number, dash: number[]): void {
   const x = Math.round(plot.valToPos(atS, "x", true));
   const { top, height } = plot.bbox;
   plot.ctx.save();
   plot.ctx.strokeStyle = colour("plot-axis");
-  plot.ctx.setLineDash([2, 4]);
+  plot.ctx.setLineDash(dash);
   plot.ctx.beginPath();
   plot.ctx.moveTo(x, top);
   plot.ctx.lineTo(x, top + height);

@@ -1,11 +1,13 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
 import { robot } from "./en-robot";
 import { run } from "./en-run";
+import { signals } from "./en-signals";
 import { teach } from "./en-teach";
 
 export const en = {
   robot,
   run,
+  signals,
   teach,
   app: {
     name: "TEAM",

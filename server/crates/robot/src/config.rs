@@ -1,5 +1,6 @@
 //! How the robot side is set up.
 
+use crate::signals::SignalConfig;
 use motion::limits::RobotLimits;
 use serde::{Deserialize, Serialize};
 use std::net::SocketAddr;
@@ -37,8 +38,12 @@ pub struct RobotConfig {
     pub session_timeout: Duration,
     /// Silence on the control link after which a run has failed.
     pub silence: Duration,
+    /// Ask the system for real-time priority for the control loop.
+    pub real_time: bool,
     /// What the arm is allowed to do.
     pub limits: RobotLimits,
+    /// The signals that people may work and motions may set.
+    pub signals: Vec<SignalConfig>,
 }
 
 impl RobotConfig {
@@ -61,7 +66,12 @@ impl RobotConfig {
                 RobotKind::Virtual => Duration::from_millis(500),
                 RobotKind::None => Duration::from_millis(100),
             },
+            real_time: true,
             limits: RobotLimits::gofa5(),
+            signals: match kind {
+                RobotKind::Virtual => vec![SignalConfig::virtual_gripper()],
+                RobotKind::None => Vec::new(),
+            },
         }
     }
 }

@@ -16,6 +16,19 @@ pub enum StopMode {
     RampDown,
 }
 
+/// Whose messages the controller sends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MessageSet {
+    /// RobotWare 7, all fields.
+    #[default]
+    RobotWare7,
+    /// RobotWare 6.10 and later: the force in its old layout, nothing that RobotWare 7 added.
+    RobotWare6,
+    /// RobotWare 6 before 6.07: no times and no utilisation either. Its angles are degrees all the
+    /// same, unlike those of some such controllers.
+    EarlyRobotWare6,
+}
+
 /// The numbers of the EGM control law and of its supervision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EgmSettings {
@@ -46,6 +59,8 @@ pub struct EgmSettings {
     pub set_up_cycles: u32,
     /// The controller sends its position also when no program guides the arm.
     pub stream_when_idle: bool,
+    /// Whose messages it sends.
+    pub messages: MessageSet,
     /// Until its program has stopped once, the controller reports RAPID as undefined, as a real
     /// one can after a restart.
     pub rapid_undefined_at_first: bool,
@@ -67,6 +82,7 @@ impl Default for EgmSettings {
             servo_delay_cycles: 2,
             set_up_cycles: 20,
             stream_when_idle: false,
+            messages: MessageSet::RobotWare7,
             rapid_undefined_at_first: false,
         }
     }

@@ -5,6 +5,7 @@ import { getReproductionTrajectory } from "../../api/endpoints";
 import type { Reproduction, ReproductionTrajectory } from "../../api/types";
 import { Figures } from "../../components/figures";
 import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
+import { SignalTimes } from "../../components/signal-times";
 import { errorDegrees, duration, fixed } from "../../format/numbers";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
 import { useLoad } from "../../state/hooks";
@@ -32,7 +33,15 @@ export function MotionResult({ motion }: { motion: Reproduction }) {
       <MotionFigures motion={motion} />
       <LoadNotice load={load} empty={shown === null} />
       {shown && shown.t_s.length > 0 && (
-        <JointPanels title={t.run.measuredPlot} timesS={shown.t_s} layers={layers} />
+        <>
+          <JointPanels
+            title={t.run.measuredPlot}
+            timesS={shown.t_s}
+            layers={layers}
+            signalsS={shown.signals.map((signal) => signal.at_s)}
+          />
+          <SignalTimes title={t.signals.done} marks={shown.signals} />
+        </>
       )}
     </>
   );

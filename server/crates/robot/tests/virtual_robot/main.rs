@@ -6,4 +6,5 @@ mod faults;
 mod guidance;
 mod https;
 mod runs;
+mod signals;
 mod support;
