@@ -22,6 +22,7 @@ const SESSION: SessionConfig = SessionConfig {
     late_after_us: 10_000,
     max_lost: 120,
     max_advance_us: 16_000,
+    brake_us: 0,
     max_speed_deg_s: [0.0; 6],
 };
 
