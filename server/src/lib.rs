@@ -10,6 +10,7 @@ pub mod cli;
 pub mod clock;
 pub mod config;
 mod events;
+mod flight;
 mod http;
 pub mod ids;
 mod jobs;

@@ -50,6 +50,10 @@ fn routes_with_identifiers() -> Vec<(Method, &'static str, Option<Value>)> {
         (Method::GET, "/reproductions/{id}", None),
         (Method::POST, "/reproductions/{id}/stop", None),
         (Method::GET, "/reproductions/{id}/trajectory", None),
+        (Method::GET, "/reproductions/{id}/flight", None),
+        (Method::GET, "/reproductions/{id}/flight.csv", None),
+        (Method::GET, "/reproductions/{id}/flight.mcap", None),
+        (Method::GET, "/reproductions/{id}/events", None),
     ]
 }
 

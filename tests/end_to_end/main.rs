@@ -4,6 +4,7 @@
 mod api;
 mod cli;
 mod crash;
+mod flight;
 mod in_process;
 mod pairing;
 mod prepared;

@@ -12,6 +12,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::agreement::AgreementError;
+use crate::flight::ExportError;
 use crate::planning::PlanError;
 use crate::recording::RecordingError;
 use crate::reproducing::ReproducingError;
@@ -302,6 +303,15 @@ impl From<AgreementError> for ApiError {
         match error {
             AgreementError::Store(error) => error.into(),
             AgreementError::Broke(error) => Self::internal(&error),
+        }
+    }
+}
+
+impl From<ExportError> for ApiError {
+    fn from(error: ExportError) -> Self {
+        match error {
+            ExportError::Store(error) => error.into(),
+            ExportError::Mcap(_) | ExportError::Broke(_) => Self::internal(&error),
         }
     }
 }

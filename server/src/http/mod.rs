@@ -8,6 +8,7 @@ mod auth;
 mod demonstrations;
 mod error;
 mod extract;
+mod flights;
 mod headers;
 mod health;
 mod jobs;

@@ -11,9 +11,10 @@ use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
 use super::signals::RunSignalMark;
 use super::state::AppState;
-use super::trajectories::{MaxPoints, RunTrajectory, run_trajectory_of};
+use super::trajectories::{MaxPoints, RunTrajectory, picks, run_trajectory_of};
 use crate::ids::{ReproductionId, TaskId};
 use crate::reproducing::StartRequest;
+use crate::store::flights::Stretch;
 use crate::store::reproductions::Reproduction;
 
 /// A motion to be started.
@@ -112,10 +113,18 @@ pub async fn trajectory(
     Query(max): Query<MaxPoints>,
 ) -> Result<Json<RunTrajectory>, ApiError> {
     state.store.reproduction(id).await?;
-    let cycles = state.store.cycles(id).await?;
+    let count = state.store.flight_cycles(id).await?;
+    let mut wanted = picks(count, max.points(400)?).peekable();
+    let (mut picked, mut passed) = (Vec::new(), 0);
+    let mut pages = state.store.flight(id, Stretch::ALL);
+    while let Some(cycles) = pages.next().await? {
+        while let Some(at) = wanted.next_if(|at| *at < passed + cycles.len()) {
+            picked.push(cycles[at - passed]);
+        }
+        passed += cycles.len();
+    }
     let signals = RunSignalMark::all(state.store.run_signals(id).await?);
-    let trajectory = run_trajectory_of(&cycles, max.points(400)?);
-    Ok(Json(trajectory.with_signals(signals)))
+    Ok(Json(run_trajectory_of(&picked).with_signals(signals)))
 }
 
 fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, ApiError> {

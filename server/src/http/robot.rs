@@ -76,13 +76,17 @@ pub struct FaultAnswer {
 /// How far a motion is.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct RunAnswer {
-    /// "approach", "motion", "settling" or "stopping".
+    /// "approach", "motion", "paused", "settling" or "stopping".
     #[schema(value_type = String)]
     phase: robot::RunPhase,
     /// Where in the plan it is, in seconds.
     t_s: f64,
     /// How long the plan takes, in seconds.
     duration_s: f64,
+    /// The speed asked for, as a share of the plan's.
+    speed: f64,
+    /// Whether somebody asked for a pause.
+    paused: bool,
 }
 
 impl From<&RobotView> for RobotAnswer {
@@ -91,6 +95,8 @@ impl From<&RobotView> for RobotAnswer {
             phase: run.phase,
             t_s: run.t_s,
             duration_s: run.duration_s,
+            speed: run.speed,
+            paused: run.paused,
         };
         Self {
             kind: view.kind,

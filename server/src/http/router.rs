@@ -12,7 +12,7 @@ use utoipa_axum::routes;
 
 use super::state::AppState;
 use super::{
-    agreement, assets, auth, demonstrations, headers, health, jobs, live, models, plans,
+    agreement, assets, auth, demonstrations, flights, headers, health, jobs, live, models, plans,
     reproductions, robot, session, signals, tasks,
 };
 
@@ -81,6 +81,10 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(reproductions::show))
         .routes(routes!(reproductions::stop))
         .routes(routes!(reproductions::trajectory))
+        .routes(routes!(flights::show))
+        .routes(routes!(flights::events))
+        .routes(routes!(flights::csv))
+        .routes(routes!(flights::mcap))
         .merge(upload)
 }
 

@@ -6,8 +6,9 @@ use utoipa::{IntoParams, ToSchema};
 
 use super::error::ApiError;
 use super::signals::{RunSignalMark, SignalMark};
+use crate::store::cycles::Cycle;
 use crate::store::recordings::Gap;
-use crate::store::samples::{Cycle, Sample};
+use crate::store::samples::Sample;
 
 /// How many points a plot wants at most.
 #[derive(Debug, Deserialize, IntoParams)]
@@ -122,11 +123,8 @@ pub fn trajectory_of(samples: &[Sample], gaps: &[Gap], max_points: usize) -> Tra
     }
 }
 
-/// A reproduction's columns.
-pub fn run_trajectory_of(cycles: &[Cycle], max_points: usize) -> RunTrajectory {
-    let picked: Vec<&Cycle> = picks(cycles.len(), max_points)
-        .map(|i| &cycles[i])
-        .collect();
+/// A reproduction's columns, from the cycles that were picked.
+pub fn run_trajectory_of(picked: &[Cycle]) -> RunTrajectory {
     RunTrajectory {
         t_s: picked.iter().map(|cycle| seconds(cycle.at_us)).collect(),
         commanded_deg: columns(picked.iter().map(|cycle| cycle.commanded_deg)),
@@ -168,19 +166,21 @@ pub fn plan_columns(
 }
 
 /// Evenly spread indices of `len` things, at most `max_points`, the first and the last included.
-fn picks(len: usize, max_points: usize) -> impl Iterator<Item = usize> + Clone {
+pub(super) fn picks(len: usize, max_points: usize) -> impl Iterator<Item = usize> + Clone {
     let points = len.min(max_points.max(2));
     let intervals = points.saturating_sub(1).max(1);
     (0..points).map(move |i| (i * (len - 1) + intervals / 2) / intervals)
 }
 
-fn columns<const N: usize>(rows: impl Iterator<Item = [f64; N]> + Clone) -> Vec<Vec<f64>> {
+pub(super) fn columns<const N: usize>(
+    rows: impl Iterator<Item = [f64; N]> + Clone,
+) -> Vec<Vec<f64>> {
     (0..N)
         .map(|column| rows.clone().map(|row| row[column]).collect())
         .collect()
 }
 
-fn seconds(us: u64) -> f64 {
+pub(super) fn seconds(us: u64) -> f64 {
     us as f64 / 1e6
 }
 

@@ -5,8 +5,9 @@ use learning::Path;
 use learning::metrics::{e_j_deg, gmcc};
 use learning::regression::Regression;
 
+use crate::store::cycles::Cycle;
+use crate::store::flights::CycleCounts;
 use crate::store::reproductions::TrackingError;
-use crate::store::samples::Cycle;
 
 /// The figures of one run. What can't be computed from a run that broke off is missing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +16,7 @@ pub(super) struct Figures {
     pub(super) e_j_commanded_deg: Option<f64>,
     pub(super) gmcc: Option<f64>,
     pub(super) tracking_error_deg: Option<TrackingError>,
+    pub(super) cycles: Option<CycleCounts>,
 }
 
 /// Where in the plan the motion proper lies.
@@ -26,71 +28,134 @@ pub(super) struct MotionPart {
     pub(super) stretch: f64,
 }
 
-/// Distance of the arm's end from the goal and how well it followed, from a whole run; the
-/// correlation compares the measured motion, without the approach, with the learnt path.
-pub(super) fn of_completed(
-    cycles: &[Cycle],
-    part: MotionPart,
-    goal_deg: &[f64],
-    learnt: &Regression,
-) -> Figures {
-    let Some(last) = cycles.last() else {
-        return Figures::default();
-    };
-    Figures {
-        e_j_deg: Some(e_j_deg(&last.measured_deg, goal_deg)),
-        e_j_commanded_deg: Some(e_j_deg(&last.commanded_deg, goal_deg)),
-        gmcc: correlation(cycles, part, learnt),
-        tracking_error_deg: tracking(cycles),
-    }
+/// Adds up a record cycle by cycle, so that a long one need not be in memory.
+#[derive(Default)]
+pub(super) struct Measure {
+    sum: [f64; 6],
+    squares: [f64; 6],
+    largest: [f64; 6],
+    counts: CycleCounts,
+    last: Option<Cycle>,
+    motion: Option<Resampled>,
 }
 
-/// How well the arm followed until a run broke off.
-pub(super) fn of_broken(cycles: &[Cycle]) -> Figures {
-    Figures {
-        tracking_error_deg: tracking(cycles),
-        ..Figures::default()
-    }
+/// The measured motion at the learnt path's own times. What the arm does after these, to come to
+/// rest at the goal, has nothing to be compared with.
+struct Resampled {
+    begins_s: f64,
+    /// The times that are wanted, as times within the plan.
+    wanted_s: Vec<f64>,
+    rows: Vec<[f64; 6]>,
+    pair: Option<(Cycle, Cycle)>,
+    first: Option<Cycle>,
 }
 
-fn tracking(cycles: &[Cycle]) -> Option<TrackingError> {
-    let errors = cycles.iter().flat_map(|cycle| {
-        cycle
-            .commanded_deg
+impl Measure {
+    /// For a run that went all the way.
+    pub(super) fn along(part: MotionPart, learnt: &Regression) -> Self {
+        let wanted_s = learnt
+            .t_s
             .iter()
-            .zip(cycle.measured_deg)
-            .map(|(commanded, measured)| (commanded - measured).abs())
-    });
-    let (count, sum, max) = errors.fold((0_u32, 0.0, 0.0), |(count, sum, max), error| {
-        (count + 1, sum + error, f64::max(max, error))
-    });
-    (count > 0).then(|| TrackingError {
-        mean: sum / f64::from(count),
-        max,
-    })
+            .map(|t_s| part.begins_s + part.stretch * t_s);
+        Self {
+            motion: Some(Resampled {
+                begins_s: part.begins_s,
+                wanted_s: wanted_s.collect(),
+                rows: Vec::with_capacity(learnt.t_s.len()),
+                pair: None,
+                first: None,
+            }),
+            ..Self::default()
+        }
+    }
+
+    /// The next cycles of the record.
+    pub(super) fn add(&mut self, cycles: &[Cycle]) {
+        for cycle in cycles {
+            for joint in 0..6 {
+                let error = (cycle.commanded_deg[joint] - cycle.measured_deg[joint]).abs();
+                self.sum[joint] += error;
+                self.squares[joint] += error * error;
+                self.largest[joint] = self.largest[joint].max(error);
+            }
+            self.counts.total += 1;
+            if let Some(details) = &cycle.details {
+                self.counts.lost += u64::from(details.lost);
+                self.counts.late += u64::from(details.late);
+                self.counts.held += u64::from(details.held);
+                self.counts.limited += u64::from(details.limited);
+            }
+            if let Some(motion) = &mut self.motion {
+                motion.add(cycle);
+            }
+            self.last = Some(*cycle);
+        }
+    }
+
+    /// Distance of the arm's end from the goal and how well it followed, from a whole run; the
+    /// correlation compares the measured motion, without the approach, with the learnt path.
+    pub(super) fn completed(mut self, goal_deg: &[f64], learnt: &Regression) -> Figures {
+        let motion = self.motion.take();
+        let end = |of: fn(&Cycle) -> &[f64; 6]| {
+            self.last.as_ref().map(|last| e_j_deg(of(last), goal_deg))
+        };
+        Figures {
+            e_j_deg: end(|last| &last.measured_deg),
+            e_j_commanded_deg: end(|last| &last.commanded_deg),
+            gmcc: motion.and_then(|motion| motion.correlation(learnt)),
+            ..self.broken()
+        }
+    }
+
+    /// How well the arm followed until a run broke off.
+    pub(super) fn broken(&self) -> Figures {
+        let Some(_) = self.last else {
+            return Figures::default();
+        };
+        let total = self.counts.total as f64;
+        Figures {
+            tracking_error_deg: Some(TrackingError {
+                mean: self.sum.iter().sum::<f64>() / (6.0 * total),
+                max: self.largest.iter().copied().fold(0.0, f64::max),
+                max_by_joint: Some(self.largest),
+                rms_by_joint: Some(self.squares.map(|sum| (sum / total).sqrt())),
+            }),
+            cycles: Some(self.counts),
+            ..Figures::default()
+        }
+    }
 }
 
-/// The measured motion, sampled at the learnt path's own times, correlated with it. What the arm
-/// does after these, to come to rest at the goal, has nothing to be compared with.
-fn correlation(cycles: &[Cycle], part: MotionPart, learnt: &Regression) -> Option<f64> {
-    let motion: Vec<&Cycle> = cycles
-        .iter()
-        .filter(|cycle| cycle.plan_t_s >= part.begins_s)
-        .collect();
-    if motion.len() < 2 || learnt.t_s.len() < 2 || learnt.mean_deg.width() != 6 {
-        return None;
-    }
-    let mut next = 0;
-    let rows = learnt.t_s.iter().map(|t_s| {
-        let t_s = part.begins_s + part.stretch * t_s;
-        while next + 2 < motion.len() && motion[next + 1].plan_t_s <= t_s {
-            next += 1;
+impl Resampled {
+    fn add(&mut self, cycle: &Cycle) {
+        if cycle.plan_t_s < self.begins_s {
+            return;
         }
-        between(motion[next], motion[next + 1], t_s)
-    });
-    let measured = Path::from_rows(6, rows);
-    let gmcc = gmcc(&measured, &learnt.mean_deg);
-    gmcc.is_finite().then_some(gmcc)
+        let before = self.pair.map(|(_, last)| last).or(self.first);
+        let Some(before) = before else {
+            self.first = Some(*cycle);
+            return;
+        };
+        self.pair = Some((before, *cycle));
+        while let Some(t_s) = self.wanted_s.get(self.rows.len())
+            && cycle.plan_t_s > *t_s
+        {
+            self.rows.push(between(&before, cycle, *t_s));
+        }
+    }
+
+    fn correlation(mut self, learnt: &Regression) -> Option<f64> {
+        let (before, after) = self.pair?;
+        if learnt.t_s.len() < 2 || learnt.mean_deg.width() != 6 {
+            return None;
+        }
+        while let Some(t_s) = self.wanted_s.get(self.rows.len()) {
+            self.rows.push(between(&before, &after, *t_s));
+        }
+        let measured = Path::from_rows(6, self.rows);
+        let gmcc = gmcc(&measured, &learnt.mean_deg);
+        gmcc.is_finite().then_some(gmcc)
+    }
 }
 
 fn between(before: &Cycle, after: &Cycle, t_s: f64) -> [f64; 6] {
@@ -109,6 +174,7 @@ fn between(before: &Cycle, after: &Cycle, t_s: f64) -> [f64; 6] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::store::cycles::{CycleDetails, CyclePhase};
 
     /// Six curves of which none is a sum of the others.
     fn curve(s: f64) -> [f64; 6] {
@@ -131,9 +197,23 @@ mod tests {
                     plan_t_s,
                     commanded_deg: curve(share),
                     measured_deg: curve(share).map(|angle| angle + lag),
+                    details: None,
                 }
             })
             .collect()
+    }
+
+    /// In pages, as a record is read.
+    fn of_completed(cycles: &[Cycle]) -> Figures {
+        let mut measure = Measure::along(PART, &learnt());
+        cycles.chunks(7).for_each(|page| measure.add(page));
+        measure.completed(&curve(1.0), &learnt())
+    }
+
+    fn of_broken(cycles: &[Cycle]) -> Figures {
+        let mut measure = Measure::default();
+        measure.add(cycles);
+        measure.broken()
     }
 
     fn learnt() -> Regression {
@@ -147,7 +227,7 @@ mod tests {
 
     #[test]
     fn a_run_along_the_learnt_path_correlates_with_it_and_ends_at_the_goal() {
-        let figures = of_completed(&run(0.0), PART, &curve(1.0), &learnt());
+        let figures = of_completed(&run(0.0));
         assert!((figures.gmcc.unwrap() - 1.0).abs() < 1e-6);
         assert!(figures.e_j_deg.unwrap() < 1e-9);
         assert!(figures.tracking_error_deg.unwrap().max < 1e-9);
@@ -155,12 +235,53 @@ mod tests {
 
     #[test]
     fn the_measured_end_counts_and_not_the_commanded_one() {
-        let figures = of_completed(&run(0.25), PART, &curve(1.0), &learnt());
+        let figures = of_completed(&run(0.25));
         assert!((figures.e_j_deg.unwrap() - 0.25).abs() < 1e-9);
         assert!(figures.e_j_commanded_deg.unwrap() < 1e-9);
         let tracking = figures.tracking_error_deg.unwrap();
         assert!((tracking.mean - 0.25).abs() < 1e-9);
         assert!((tracking.max - 0.25).abs() < 1e-9);
+        let by_joint = [tracking.max_by_joint, tracking.rms_by_joint].map(Option::unwrap);
+        assert!(
+            by_joint
+                .iter()
+                .flatten()
+                .all(|error| (error - 0.25).abs() < 1e-9)
+        );
+    }
+
+    #[test]
+    fn what_was_out_of_the_ordinary_is_counted_and_one_spike_shows_at_its_joint() {
+        let mut cycles = run(0.0);
+        let details = CycleDetails {
+            commanded_deg_s: [0.0; 6],
+            utilization_percent: None,
+            lost: 3,
+            phase: CyclePhase::Motion,
+            late: true,
+            held: false,
+            limited: true,
+            motors_on: true,
+            rapid_running: true,
+        };
+        for at in [10, 20] {
+            cycles[at].details = Some(details);
+        }
+        cycles[30].measured_deg[4] += 2.0;
+        let figures = of_broken(&cycles);
+        let counts = CycleCounts {
+            total: 2501,
+            lost: 6,
+            late: 2,
+            held: 0,
+            limited: 2,
+        };
+        assert_eq!(figures.cycles, Some(counts));
+        let tracking = figures.tracking_error_deg.unwrap();
+        assert_eq!(tracking.max_by_joint.unwrap()[3], 0.0);
+        assert!((tracking.max_by_joint.unwrap()[4] - 2.0).abs() < 1e-9);
+        let rms = 2.0 / f64::sqrt(2501.0);
+        assert!((tracking.rms_by_joint.unwrap()[4] - rms).abs() < 1e-9);
     }
 
     #[test]

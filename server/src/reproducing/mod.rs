@@ -3,6 +3,7 @@
 //! Not here: the motion itself (crate `robot`) and its approval (`planning`, `motion::gate`).
 
 mod figures;
+mod record;
 
 use std::sync::Arc;
 
@@ -14,15 +15,16 @@ use crate::clock::SharedClock;
 use crate::events::Events;
 use crate::ids::ReproductionId;
 use crate::plans::{KnownPlan, Plans};
+use crate::store::flights::{FlightEvent, NewFlight, Stretch};
 use crate::store::reproductions::{
     NewReproduction, Reproduction, ReproductionResult, ReproductionState,
 };
-use crate::store::samples::Cycle;
 use crate::store::signals::RunSignal;
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
 use crate::words::sentence;
-use figures::{Figures, MotionPart};
+use figures::{Figures, Measure, MotionPart};
+use record::Keeper;
 
 /// Why a reproduction could not begin.
 #[derive(Debug, thiserror::Error)]
@@ -73,6 +75,18 @@ struct Tools {
     robot: Robot,
 }
 
+impl Tools {
+    async fn finish(&self, id: ReproductionId, result: &ReproductionResult) {
+        let now = self.clock.now();
+        match self.store.finish_reproduction(id, result, now).await {
+            Ok(reproduction) => self.events.tell(&reproduction),
+            Err(error) => {
+                tracing::error!(reproduction.id = %id, %error, "a reproduction could not be stored");
+            }
+        }
+    }
+}
+
 impl Reproducer {
     /// A reproducer for this robot and these plans.
     pub fn new(
@@ -94,14 +108,39 @@ impl Reproducer {
         }))
     }
 
-    /// At start-up: motions that the last run left running have failed.
+    /// At start-up: motions that the last run left running have failed. Their records can be read
+    /// up to where they end.
     pub async fn recover(&self) -> Result<u64, store::Error> {
         let tools = &self.0.tools;
-        let now = tools.clock.now();
-        tools
-            .store
-            .fail_running_reproductions(LEFT_RUNNING, now)
-            .await
+        let mut found = 0;
+        while let Some(left) = tools.store.running_reproduction().await? {
+            let figures = match measured(&tools.store, left.id, Measure::default()).await {
+                Ok(measure) => measure.broken(),
+                Err(error) => {
+                    tracing::error!(reproduction.id = %left.id, %error, "a flight record can't be read");
+                    Figures::default()
+                }
+            };
+            let end_us = tools.store.flight_end_us(left.id).await.ok().flatten();
+            let interrupted = NewFlight {
+                armed_at: None,
+                cycles: &[],
+                events: &[FlightEvent {
+                    at_us: end_us.unwrap_or(0),
+                    code: "interrupted".into(),
+                    message: LEFT_RUNNING.into(),
+                }],
+            };
+            tools.store.append_flight(left.id, interrupted).await?;
+            let now = tools.clock.now();
+            let result = failed(LEFT_RUNNING, figures);
+            tools
+                .store
+                .finish_reproduction(left.id, &result, now)
+                .await?;
+            found += 1;
+        }
+        Ok(found)
     }
 
     /// Starts a motion, once: a start that is repeated returns the motion that it began.
@@ -194,99 +233,118 @@ impl Reproducer {
     }
 }
 
-/// Waits for the end of a run and stores what came of it.
-async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, handle: RunHandle) {
-    let outcome = handle.outcome.await.ok();
-    let judged = tokio::task::spawn_blocking(move || judge(&plan, outcome)).await;
-    let (result, cycles, signals) = match judged {
-        Ok(judged) => judged,
-        Err(error) => {
-            tracing::error!(reproduction.id = %id, %error, "a reproduction could not be judged");
-            (
-                failed("What came of the motion could not be worked out."),
-                Vec::new(),
-                Vec::new(),
-            )
+/// Keeps the record of a run while it goes on, waits for its end and stores what came of it.
+async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, mut handle: RunHandle) {
+    let mut keeper = Keeper::new(tools.store.clone(), Arc::clone(&tools.clock), id);
+    while let Some(chunk) = handle.flight.recv().await {
+        keeper.keep(chunk).await;
+    }
+    let end = match handle.outcome.await {
+        Ok(RunOutcome { end, signals, rest }) => {
+            keeper.finish(rest).await;
+            keep_signals(&tools.store, id, signals).await;
+            Some(end)
         }
+        Err(_) => None,
     };
-    if let Err(error) = tools.store.add_run_signals(id, &signals).await {
-        tracing::error!(reproduction.id = %id, %error, "a reproduction's signals could not be stored");
-    }
-    let now = tools.clock.now();
-    match tools
-        .store
-        .finish_reproduction(id, &result, &cycles, now)
+    let result = judge(&tools.store, id, plan, end)
         .await
-    {
-        Ok(reproduction) => tools.events.tell(&reproduction),
-        Err(error) => {
-            tracing::error!(reproduction.id = %id, %error, "a reproduction could not be stored");
-        }
-    }
+        .unwrap_or_else(|error| {
+            tracing::error!(reproduction.id = %id, %error, "a reproduction could not be judged");
+            failed(
+                "What came of the motion could not be worked out.",
+                Figures::default(),
+            )
+        });
+    tools.finish(id, &result).await;
 }
 
-fn judge(
-    plan: &KnownPlan,
-    outcome: Option<RunOutcome>,
-) -> (ReproductionResult, Vec<Cycle>, Vec<RunSignal>) {
-    let Some(outcome) = outcome else {
-        let lost = failed("The connection to the arm was lost.");
-        return (lost, Vec::new(), Vec::new());
-    };
-    let cycles: Vec<Cycle> = outcome
-        .record
-        .iter()
-        .map(|cycle| Cycle {
-            at_us: cycle.at_us,
-            plan_t_s: cycle.plan_t_s,
-            commanded_deg: cycle.commanded.0,
-            measured_deg: cycle.measured.0,
-        })
-        .collect();
-    let result = match outcome.end {
-        RunEnd::Completed => {
-            let part = MotionPart {
-                begins_s: plan.plan.approach_s(),
-                stretch: plan.stretch,
-            };
-            let learnt = plan.model.regression();
-            let figures = figures::of_completed(&cycles, part, &plan.goal.0, &learnt);
-            result(ReproductionState::Succeeded, None, figures)
+/// What a run came to, from its stored record.
+async fn judge(
+    store: &Store,
+    id: ReproductionId,
+    plan: Arc<KnownPlan>,
+    end: Option<RunEnd>,
+) -> anyhow::Result<ReproductionResult> {
+    if end == Some(RunEnd::Completed) {
+        let known = Arc::clone(&plan);
+        let learnt = tokio::task::spawn_blocking(move || known.model.regression()).await?;
+        let part = MotionPart {
+            begins_s: plan.plan.approach_s(),
+            stretch: plan.stretch,
+        };
+        let measure = measured(store, id, Measure::along(part, &learnt)).await?;
+        let figures =
+            tokio::task::spawn_blocking(move || measure.completed(&plan.goal.0, &learnt)).await?;
+        return Ok(result(ReproductionState::Succeeded, None, figures));
+    }
+    let figures = measured(store, id, Measure::default()).await?.broken();
+    Ok(match end {
+        Some(RunEnd::Failed(fault)) => {
+            let reason = format!("{} {}", sentence(&fault.message), fault.advice);
+            failed(&reason, figures)
         }
-        RunEnd::Stopped => result(
+        Some(_) => result(
             ReproductionState::Stopped,
             Some("It was stopped.".into()),
-            figures::of_broken(&cycles),
+            figures,
         ),
-        RunEnd::Failed(fault) => result(
-            ReproductionState::Failed,
-            Some(format!("{} {}", sentence(&fault.message), fault.advice)),
-            figures::of_broken(&cycles),
-        ),
-    };
-    let signals = outcome.signals.into_iter();
-    let signals = signals.map(|signal| run_signal(signal, &cycles)).collect();
-    (result, cycles, signals)
+        None => failed("The connection to the arm was lost.", figures),
+    })
 }
 
-/// On the record's clock: when the plan came to it, and how late it then was.
-fn run_signal(signal: SignalSet, cycles: &[Cycle]) -> RunSignal {
-    let due = cycles.iter().find(|cycle| cycle.plan_t_s >= signal.at_s);
-    let due = due.or(cycles.last());
-    RunSignal {
-        at_us: due.map_or(0, |cycle| cycle.at_us) + (signal.late_s * 1e6).round() as u64,
+async fn keep_signals(store: &Store, id: ReproductionId, set: Vec<SignalSet>) {
+    let kept = match run_signals(store, id, set).await {
+        Ok(signals) => store.add_run_signals(id, &signals).await,
+        Err(error) => Err(error),
+    };
+    if let Err(error) = kept {
+        tracing::error!(reproduction.id = %id, %error, "a reproduction's signals could not be stored");
+    }
+}
+
+/// On the record's clock: when the plan came to each signal, and how late it was set then.
+async fn run_signals(
+    store: &Store,
+    id: ReproductionId,
+    set: Vec<SignalSet>,
+) -> Result<Vec<RunSignal>, store::Error> {
+    let mut left = set.into_iter().peekable();
+    let mut signals = Vec::new();
+    let mut last_us = 0;
+    let place = |signal: SignalSet, due_us: u64| RunSignal {
+        at_us: due_us + (signal.late_s * 1e6).round() as u64,
         name: signal.name,
         on: signal.on,
         late_s: signal.late_s,
+    };
+    let mut pages = store.flight(id, Stretch::ALL);
+    while let Some(cycles) = pages.next().await? {
+        for cycle in cycles {
+            last_us = cycle.at_us;
+            while let Some(signal) = left.next_if(|signal| signal.at_s <= cycle.plan_t_s) {
+                signals.push(place(signal, last_us));
+            }
+        }
     }
+    signals.extend(left.map(|signal| place(signal, last_us)));
+    Ok(signals)
 }
 
-fn failed(reason: &str) -> ReproductionResult {
-    result(
-        ReproductionState::Failed,
-        Some(reason.into()),
-        Figures::default(),
-    )
+async fn measured(
+    store: &Store,
+    id: ReproductionId,
+    mut measure: Measure,
+) -> Result<Measure, store::Error> {
+    let mut pages = store.flight(id, Stretch::ALL);
+    while let Some(cycles) = pages.next().await? {
+        measure.add(&cycles);
+    }
+    Ok(measure)
+}
+
+fn failed(reason: &str, figures: Figures) -> ReproductionResult {
+    result(ReproductionState::Failed, Some(reason.into()), figures)
 }
 
 fn result(
@@ -301,5 +359,6 @@ fn result(
         e_j_commanded_deg: figures.e_j_commanded_deg,
         gmcc: figures.gmcc,
         tracking_error_deg: figures.tracking_error_deg,
+        cycles: figures.cycles,
     }
 }

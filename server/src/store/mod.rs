@@ -5,7 +5,9 @@
 //! sqlx, so waiting for the store never blocks the async threads.
 
 mod audit;
+pub mod cycles;
 pub mod demonstrations;
+pub mod flights;
 pub mod jobs;
 pub mod leases;
 pub mod models;
@@ -80,7 +82,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 5] = [
+const MIGRATIONS: [(i64, &str, &str); 6] = [
     (
         1,
         "tasks and demonstrations",
@@ -105,6 +107,11 @@ const MIGRATIONS: [(i64, &str, &str); 5] = [
         6,
         "signals",
         include_str!("../../../migrations/0006_signals.sql"),
+    ),
+    (
+        7,
+        "flights",
+        include_str!("../../../migrations/0007_flights.sql"),
     ),
 ];
 

@@ -4,8 +4,8 @@ use serde::Serialize;
 use sqlx::Row;
 use sqlx::sqlite::SqliteRow;
 
-use super::samples::{Cycle, decode_cycles, encode_cycles};
-use super::text::{json, parsed, to_json, words};
+use super::flights::CycleCounts;
+use super::text::{json, parsed, to_json, unsigned, words};
 use super::{Error, Result, Store};
 use crate::clock::WallTime;
 use crate::ids::{ModelId, ReproductionId, TaskId};
@@ -31,6 +31,14 @@ pub struct TrackingError {
     pub mean: f64,
     /// At worst.
     pub max: f64,
+    /// For each joint, at worst.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<f64>>)]
+    pub max_by_joint: Option<[f64; 6]>,
+    /// For each joint, the root of the mean square.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<f64>>)]
+    pub rms_by_joint: Option<[f64; 6]>,
 }
 
 /// One motion that the arm made.
@@ -52,6 +60,10 @@ pub struct Reproduction {
     /// When it was begun.
     #[schema(value_type = String, format = DateTime)]
     pub created_at: WallTime,
+    /// When the server took the arm over: the zero of the flight record's times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<String>, format = DateTime)]
+    pub armed_at: Option<WallTime>,
     /// When it ended.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
@@ -74,6 +86,9 @@ pub struct Reproduction {
     /// How well the arm followed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tracking_error_deg: Option<TrackingError>,
+    /// What the control cycles of the flight record count up to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<CycleCounts>,
 }
 
 /// What is known of a reproduction when it begins.
@@ -112,13 +127,12 @@ pub struct ReproductionResult {
     pub gmcc: Option<f64>,
     /// How well the arm followed.
     pub tracking_error_deg: Option<TrackingError>,
+    /// What the record's cycles count up to.
+    pub cycles: Option<CycleCounts>,
 }
 
 const WHAT: &str = "reproduction";
 const NOT_FOUND: Error = Error::NotFound { what: WHAT };
-
-/// About 110 kB of cycles per row.
-const CYCLES_PER_CHUNK: usize = 1_000;
 
 impl Store {
     /// Makes the row of a motion that is about to begin.
@@ -199,32 +213,20 @@ impl Store {
         .collect()
     }
 
-    /// Ends a reproduction: record, figures and state in one transaction.
+    /// Ends a reproduction, of which the record is stored already, with its state and figures.
     pub async fn finish_reproduction(
         &self,
         id: ReproductionId,
         result: &ReproductionResult,
-        cycles: &[Cycle],
         now: WallTime,
     ) -> Result<Reproduction> {
-        let mut transaction = self.begin().await?;
-        for (seq, chunk) in cycles.chunks(CYCLES_PER_CHUNK).enumerate() {
-            let bytes = encode_cycles(chunk);
-            sqlx::query(
-                "INSERT INTO reproduction_chunk (reproduction_id, seq, count, records, crc32) \
-                 VALUES (?, ?, ?, ?, ?)",
-            )
-            .bind(id.to_string())
-            .bind(i64::try_from(seq).unwrap_or(i64::MAX))
-            .bind(i64::try_from(chunk.len()).unwrap_or(i64::MAX))
-            .bind(&bytes)
-            .bind(i64::from(crc32fast::hash(&bytes)))
-            .execute(&mut *transaction)
-            .await?;
-        }
+        let count =
+            |of: fn(&CycleCounts) -> u64| result.cycles.as_ref().map(|c| of(c).cast_signed());
         sqlx::query(
             "UPDATE reproduction SET state = ?, reason = ?, finished_at_ms = ?, e_j_deg = ?, \
-             e_j_commanded_deg = ?, gmcc = ?, tracking_mean_deg = ?, tracking_max_deg = ? \
+             e_j_commanded_deg = ?, gmcc = ?, tracking_mean_deg = ?, tracking_max_deg = ?, \
+             tracking_max_by_joint_deg = ?, tracking_rms_by_joint_deg = ?, cycles = ?, \
+             cycles_lost = ?, cycles_late = ?, cycles_held = ?, cycles_limited = ? \
              WHERE id = ? AND state = 'running'",
         )
         .bind(result.state.as_str())
@@ -235,51 +237,46 @@ impl Store {
         .bind(result.gmcc)
         .bind(result.tracking_error_deg.map(|t| t.mean))
         .bind(result.tracking_error_deg.map(|t| t.max))
+        .bind(by_joint(
+            result.tracking_error_deg.and_then(|t| t.max_by_joint),
+        )?)
+        .bind(by_joint(
+            result.tracking_error_deg.and_then(|t| t.rms_by_joint),
+        )?)
+        .bind(count(|counts| counts.total))
+        .bind(count(|counts| counts.lost))
+        .bind(count(|counts| counts.late))
+        .bind(count(|counts| counts.held))
+        .bind(count(|counts| counts.limited))
         .bind(id.to_string())
-        .execute(&mut *transaction)
+        .execute(&self.writer)
         .await?;
-        transaction.commit().await?;
         self.reproduction(id).await
     }
+}
 
-    /// At start-up: motions that the last run left running have failed.
-    pub async fn fail_running_reproductions(&self, reason: &str, now: WallTime) -> Result<u64> {
-        let changed = sqlx::query(
-            "UPDATE reproduction SET state = 'failed', reason = ?, finished_at_ms = ? \
-             WHERE state = 'running'",
-        )
-        .bind(reason)
-        .bind(now.0)
-        .execute(&self.writer)
-        .await?
-        .rows_affected();
-        Ok(changed)
-    }
+fn by_joint(values: Option<[f64; 6]>) -> Result<Option<String>> {
+    values.map(|values| to_json(&values, WHAT)).transpose()
+}
 
-    /// Everything that was commanded and measured, in order.
-    ///
-    /// # Errors
-    /// `Damaged` when a chunk does not match its check sum.
-    pub async fn cycles(&self, id: ReproductionId) -> Result<Vec<Cycle>> {
-        let rows = sqlx::query(
-            "SELECT records, crc32 FROM reproduction_chunk WHERE reproduction_id = ? ORDER BY seq",
-        )
-        .bind(id.to_string())
-        .fetch_all(&self.readers)
-        .await?;
-        let mut cycles = Vec::new();
-        for row in &rows {
-            let crc32 = u32::try_from(row.try_get::<i64, _>("crc32")?)
-                .map_err(|_| Error::Damaged { what: WHAT })?;
-            cycles.extend(decode_cycles(row.try_get("records")?, crc32)?);
-        }
-        Ok(cycles)
+fn counts(row: &SqliteRow) -> Result<Option<CycleCounts>> {
+    if row.try_get::<Option<i64>, _>("cycles")?.is_none() {
+        return Ok(None);
     }
+    Ok(Some(CycleCounts {
+        total: unsigned(row, "cycles")?,
+        lost: unsigned(row, "cycles_lost")?,
+        late: unsigned(row, "cycles_late")?,
+        held: unsigned(row, "cycles_held")?,
+        limited: unsigned(row, "cycles_limited")?,
+    }))
 }
 
 fn from_row(row: &SqliteRow) -> Result<Reproduction> {
     let mean: Option<f64> = row.try_get("tracking_mean_deg")?;
     let max: Option<f64> = row.try_get("tracking_max_deg")?;
+    let max_by_joint = json(row, "tracking_max_by_joint_deg")?;
+    let rms_by_joint = json(row, "tracking_rms_by_joint_deg")?;
     Ok(Reproduction {
         id: parsed(row, "id")?,
         task_id: parsed(row, "task_id")?,
@@ -288,6 +285,7 @@ fn from_row(row: &SqliteRow) -> Result<Reproduction> {
         state: parsed(row, "state")?,
         reason: row.try_get("reason")?,
         created_at: WallTime(row.try_get("created_at_ms")?),
+        armed_at: row.try_get::<Option<i64>, _>("armed_at_ms")?.map(WallTime),
         finished_at: row
             .try_get::<Option<i64>, _>("finished_at_ms")?
             .map(WallTime),
@@ -297,6 +295,12 @@ fn from_row(row: &SqliteRow) -> Result<Reproduction> {
         e_j_deg: row.try_get("e_j_deg")?,
         e_j_commanded_deg: row.try_get("e_j_commanded_deg")?,
         gmcc: row.try_get("gmcc")?,
-        tracking_error_deg: mean.zip(max).map(|(mean, max)| TrackingError { mean, max }),
+        tracking_error_deg: mean.zip(max).map(|(mean, max)| TrackingError {
+            mean,
+            max,
+            max_by_joint,
+            rms_by_joint,
+        }),
+        cycles: counts(row)?,
     })
 }

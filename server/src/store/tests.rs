@@ -1,6 +1,7 @@
 //! The store against a real file, with times that the test chooses.
 
 mod demonstrations;
+mod flights;
 mod jobs;
 mod others;
 

@@ -237,7 +237,9 @@ export interface RobotView {
   hand?: "idle" | "returning" | "showing" | null;
   fault?: Failure | null;
   run?: {
-    phase: "approach" | "motion" | "settling" | "stopping";
+    phase: "approach" | "motion" | "paused" | "settling" | "stopping";
+    speed: number;
+    paused: boolean;
     t_s: number;
     duration_s: number;
   } | null;

@@ -44,7 +44,7 @@ pub fn tool0(joints: &JointAngles) -> Pose {
         for (p, s) in position.iter_mut().zip(step) {
             *p += s;
         }
-        orientation = multiply(&orientation, &about(axis, angle_deg.to_radians()));
+        orientation = multiply(&orientation, &about(axis, radians(angle_deg)));
     }
     // tool0 is turned a quarter about y, so that its z axis points out of the flange.
     let flange = about(Axis::Y, std::f64::consts::FRAC_PI_2);
@@ -52,6 +52,16 @@ pub fn tool0(joints: &JointAngles) -> Pose {
         position: Position(position),
         orientation: multiply(&orientation, &flange),
     }
+}
+
+/// An angle for other programs that want it in radians, such as viewers of recordings. Nothing else
+/// of this project reckons in them.
+///
+/// ```
+/// assert_eq!(motion::kinematics::radians(180.0), std::f64::consts::PI);
+/// ```
+pub fn radians(angle_deg: f64) -> f64 {
+    angle_deg.to_radians()
 }
 
 /// Angles about the fixed axes x, y and z, in this order, that give an orientation, degrees.

@@ -76,6 +76,15 @@ pub enum RobotError {
     /// Only while the arm is being guided.
     #[error("the arm is not being guided")]
     NotGuiding,
+    /// Only while a motion runs.
+    #[error("no motion is running")]
+    NotRunning,
+    /// A speed that is not allowed.
+    #[error("{:.0} % is no speed for a motion", share * 100.0)]
+    BadSpeed {
+        /// As asked for.
+        share: f64,
+    },
     /// No such signal is configured.
     #[error("there is no signal {name} that may be set")]
     SignalUnknown {
@@ -124,6 +133,8 @@ impl RobotError {
             Self::NotReady { .. } => "robot_not_ready",
             Self::MotorsStayOff => "motors_off",
             Self::NotGuiding => "robot_not_guiding",
+            Self::NotRunning => "robot_not_running",
+            Self::BadSpeed { .. } => "bad_speed",
             Self::SignalUnknown { .. } => "signal_unknown",
             Self::SignalNotSet { .. } => "signal_not_set",
             Self::Stopped => "stopped",
@@ -149,6 +160,8 @@ impl RobotError {
             Self::NotReady { .. } => "Release the stop and acknowledge it on the controller.",
             Self::MotorsStayOff => "Switch the motors on at the controller, then try again.",
             Self::NotGuiding => "Make the arm soft first.",
+            Self::NotRunning => "Start a motion first.",
+            Self::BadSpeed { .. } => "Choose a speed from 5 % to 100 %.",
             Self::SignalUnknown { .. } => {
                 "Add the signal to the server's configuration, or train from takes without it."
             }

@@ -206,6 +206,7 @@ impl Supervisor {
             base_url: url,
             user: self.config.rws_user.clone(),
             password: self.config.rws_password.clone(),
+            certificate_sha256: self.config.rws_certificate_sha256.clone(),
             timeout: self.config.rws_timeout,
         })?;
         if let Some(poller) = self.poller.take() {

@@ -1,9 +1,19 @@
 //! Faults that tests can bring about: the ones that users of real cells report.
+//!
+//! Switches are here; what happens by script and by chance, and when, is in [`script`], and what
+//! that does to the datagrams in [`link`].
+
+mod chance;
+pub mod link;
+mod rewrite;
+pub mod script;
 
 use std::sync::{Arc, Mutex};
 
 use crate::controller::Controller;
+use crate::error::Error;
 use crate::lock;
+use script::FaultScript;
 
 /// The faults that last.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,6 +38,16 @@ impl FaultSwitches {
     /// Changes the faults that last.
     pub fn set(&self, change: impl FnOnce(&mut Faults)) {
         change(lock(&self.0).faults_mut());
+    }
+
+    /// Lets a script of faults begin on the EGM line; the one before ends.
+    ///
+    /// # Errors
+    /// [`Error::ScriptedFault`] when its numbers make no sense.
+    pub fn play(&self, script: FaultScript) -> Result<(), Error> {
+        script.check()?;
+        lock(&self.0).set_fault_script(script);
+        Ok(())
     }
 
     /// Opens (`true`) or closes a guard: the arm stops, its motors go off and stay off.

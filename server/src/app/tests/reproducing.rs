@@ -11,6 +11,7 @@ use crate::ids::TaskId;
 use crate::planning::{PlanRequest, Target};
 use crate::plans::KnownPlan;
 use crate::reproducing::{ReproducingError, StartRequest};
+use crate::store::flights::Stretch;
 use crate::store::reproductions::ReproductionState;
 use crate::test_support::TestFolder;
 use crate::training::{self, Wish};
@@ -90,7 +91,12 @@ async fn a_motion_is_started_once_and_judged_by_what_was_measured() {
     );
     assert!(ended.e_j_deg.unwrap() < 0.05, "{ended:?}");
     assert!((0.99..1.01).contains(&ended.gmcc.unwrap()), "{ended:?}");
-    let cycles = app.state.store.cycles(begun.id).await.unwrap();
+    let (mut pages, mut cycles) = (app.state.store.flight(begun.id, Stretch::ALL), Vec::new());
+    while let Some(page) = pages.next().await.unwrap() {
+        cycles.extend(page);
+    }
+    assert_eq!(ended.cycles.unwrap().total, cycles.len() as u64);
+    assert!(ended.armed_at.unwrap() >= ended.created_at);
     let (first, last) = (cycles[0], cycles[cycles.len() - 1]);
     assert!(
         last.measured_deg[0] - first.measured_deg[0] > 7.0,

@@ -1,14 +1,15 @@
 //! A run: from the request over the control thread's work to its outcome.
 
 use super::signals::RunSignals;
-use super::{Done, Mode, Supervisor};
+use super::{Done, Mode, Seen, Supervisor};
 use crate::control_loop::LoopEnd;
 use crate::ending;
 use crate::error::{Fault, RobotError};
+use crate::flight::FlightWriter;
 use crate::links::Command;
 use crate::player::{ALIGN_LIMIT_DEG, PlayerEnd, RunPhase};
 use crate::procedures::{self, Aftermath};
-use crate::run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
+use crate::run::{RunEnd, RunHandle, RunOutcome, RunProgress};
 use motion::JointAngles;
 use motion::plan::Plan;
 use rws::ControllerState;
@@ -18,11 +19,9 @@ use tokio::sync::{oneshot, watch};
 
 /// A pose older than this is not where the arm stands, µs.
 const POSE_AGE_US: u64 = 1_000_000;
-/// Longest wait for the control thread to report an end that it was asked for.
-const THREAD_PATIENCE: Duration = Duration::from_secs(1);
-/// Space for records: the plan, its ends, and some delay.
-const RECORDS_PER_S: f64 = 260.0;
-const RECORD_RESERVE_S: f64 = 8.0;
+/// Longest wait for the control thread to report an end that it was asked for: an arm at the
+/// limits of its joints takes about a second to come to rest.
+const THREAD_PATIENCE: Duration = Duration::from_secs(2);
 
 /// The run in the making.
 pub(super) struct RunSlot {
@@ -32,8 +31,8 @@ pub(super) struct RunSlot {
     stage: Stage,
     progress: watch::Sender<RunProgress>,
     outcome: oneshot::Sender<RunOutcome>,
-    record: Vec<CycleRecord>,
     signals: RunSignals,
+    flight: FlightWriter,
 }
 
 /// How far the run is.
@@ -78,6 +77,19 @@ impl RunSlot {
         (Arc::clone(&self.plan), &mut self.signals)
     }
 
+    /// What the supervisor knows goes on the flight record's time line.
+    fn record(&mut self, seen: &Seen, epoch: Instant, is_stopped: bool) {
+        if let Some(run) = seen.control().run.filter(|run| run.run == self.id) {
+            self.flight
+                .armed(epoch + Duration::from_micros(run.armed_us));
+        }
+        self.flight.see_controller(seen.controller.as_ref());
+        self.flight.see_speed(self.progress().speed);
+        if is_stopped {
+            self.flight.see_stop();
+        }
+    }
+
     pub(super) fn is_stopping(&self) -> bool {
         matches!(self.stage, Stage::Ending(_)) || self.progress().phase == RunPhase::Stopping
     }
@@ -94,14 +106,18 @@ impl Supervisor {
         self.check_pose(&plan.first())?;
         self.check_signals(&plan)?;
         self.runs += 1;
+        self.links.flags.set_paused(false);
+        self.links.flags.set_speed(1.0);
         let duration_s = plan.duration_s();
         let (progress, progress_out) = watch::channel(RunProgress {
             phase: RunPhase::Approach,
             t_s: 0.0,
             duration_s,
+            speed: 1.0,
+            paused: false,
         });
         let (outcome, outcome_out) = oneshot::channel();
-        let records = (duration_s + RECORD_RESERVE_S) * RECORDS_PER_S;
+        let (flight, flight_out) = FlightWriter::new();
         while self.links.records.pop().is_ok() {}
         self.mode = Mode::Run(Box::new(RunSlot {
             id: self.runs,
@@ -110,8 +126,8 @@ impl Supervisor {
             stage: Stage::Starting,
             progress,
             outcome,
-            record: Vec::with_capacity(records as usize),
             signals: RunSignals::default(),
+            flight,
         }));
         let flags = Arc::clone(&self.links.flags);
         self.operation = Some(Box::pin(async move {
@@ -121,6 +137,7 @@ impl Supervisor {
         self.publish();
         Ok(RunHandle {
             progress: progress_out,
+            flight: flight_out,
             outcome: outcome_out,
         })
     }
@@ -172,14 +189,14 @@ impl Supervisor {
         self.attend_signals();
         let now = Instant::now();
         let egm_is_fresh = self.seen.egm_is_fresh(self.now_us());
-        let stops = self.links.flags.stops();
+        let flags = &self.links.flags;
+        let (stops, speed, paused) = (flags.stops(), flags.speed(), flags.is_paused());
         let Mode::Run(slot) = &mut self.mode else {
             return;
         };
-        while let Ok(record) = self.links.records.pop() {
-            slot.record.push(record);
-        }
         let is_stopped = stops != slot.stops;
+        slot.record(&self.seen, self.epoch, is_stopped);
+        slot.flight.take(&mut self.links.records);
         let verdict = match &mut slot.stage {
             Stage::Starting | Stage::Ending(_) => None,
             Stage::Waiting { .. } if is_stopped => Some(Verdict::NotBegun(RunEnd::Stopped)),
@@ -213,6 +230,8 @@ impl Supervisor {
                     slot.progress.send_modify(|progress| {
                         progress.phase = run.phase;
                         progress.t_s = run.plan_t_s;
+                        progress.speed = speed;
+                        progress.paused = paused;
                     });
                 }
                 let never_began = run.is_none() && now >= *since + THREAD_PATIENCE;
@@ -259,9 +278,7 @@ impl Supervisor {
             self.mode = mode;
             return;
         };
-        while let Ok(record) = self.links.records.pop() {
-            slot.record.push(record);
-        }
+        slot.flight.see_controller(aftermath.controller.as_ref());
         if let Some(state) = &aftermath.controller {
             self.seen.controller = Some(state.clone());
         }
@@ -299,10 +316,11 @@ impl Supervisor {
             _ => self.come_to_rest(),
         }
         self.publish();
+        let rest = slot.flight.finish(&end, &mut self.links.records);
         let _ = slot.outcome.send(RunOutcome {
             end,
-            record: slot.record,
             signals: slot.signals.set,
+            rest,
         });
     }
 }

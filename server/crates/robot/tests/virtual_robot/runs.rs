@@ -22,6 +22,19 @@ async fn a_plan_is_run_and_the_arm_arrives() {
         let planned = plan.at(record.plan_t_s).joints;
         assert!(record.commanded.max_abs_difference(&planned) < 0.01);
         assert!(!record.held);
+        assert!(record.motors_on && record.rapid_running);
+    }
+    assert!(outcome.chunks >= 5, "the record comes while the arm moves");
+    let codes: Vec<&str> = outcome.events.iter().map(|event| event.code).collect();
+    let expected = [
+        "controller_state",
+        "armed",
+        "motion",
+        "settling",
+        "completed",
+    ];
+    for code in expected {
+        assert!(codes.contains(&code), "{code}: {codes:?}");
     }
     let idle = cell.wait_for_state(RobotState::Idle).await;
     assert_eq!((idle.run, idle.fault), (None, None));

@@ -4,7 +4,10 @@ use motion::JointAngles;
 use motion::gate::{ProposedMotion, approve};
 use motion::limits::RobotLimits;
 use motion::plan::Plan;
-use robot::{Robot, RobotConfig, RobotKind, RobotState, RobotView, RunHandle, RunOutcome};
+use robot::{
+    CycleRecord, FlightEvent, Robot, RobotConfig, RobotKind, RobotState, RobotView, RunEnd,
+    RunHandle, SignalSet,
+};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
@@ -91,12 +94,39 @@ pub fn url(controller: &VirtualController) -> String {
     format!("http://{}", controller.rws_addr())
 }
 
+/// A run that is over, with its whole flight record.
+pub struct Ended {
+    pub end: RunEnd,
+    pub record: Vec<CycleRecord>,
+    pub events: Vec<FlightEvent>,
+    pub signals: Vec<SignalSet>,
+    /// Chunks that came while the run went on.
+    pub chunks: usize,
+}
+
 /// Waits for the end of a run.
-pub async fn outcome(run: RunHandle) -> RunOutcome {
-    tokio::time::timeout(PATIENCE, run.outcome)
+pub async fn outcome(mut run: RunHandle) -> Ended {
+    let (mut record, mut events, mut chunks) = (Vec::new(), Vec::new(), 0);
+    let ended = async {
+        while let Some(chunk) = run.flight.recv().await {
+            record.extend(chunk.cycles);
+            events.extend(chunk.events);
+            chunks += 1;
+        }
+        run.outcome.await.unwrap()
+    };
+    let outcome = tokio::time::timeout(PATIENCE, ended)
         .await
-        .expect("the run must end")
-        .unwrap()
+        .expect("the run must end");
+    record.extend(outcome.rest.cycles);
+    events.extend(outcome.rest.events);
+    Ended {
+        end: outcome.end,
+        record,
+        events,
+        signals: outcome.signals,
+        chunks,
+    }
 }
 
 /// Waits until a run's progress is as `wanted`.
