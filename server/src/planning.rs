@@ -2,6 +2,7 @@
 //! streamed: a slow approach to the start, the motion, slowed down where the
 //! limits ask for it, and the gate's word on the whole.
 
+mod back;
 mod error;
 mod signals;
 mod targets;
@@ -17,6 +18,7 @@ use motion::{
     spline::Spline,
 };
 
+pub use back::back;
 pub use error::PlanError;
 pub use signals::remarks as signal_remarks;
 pub use targets::Target;

@@ -6,6 +6,8 @@ mod cli;
 mod crash;
 mod flight;
 mod in_process;
+mod independent;
+mod pace;
 mod pairing;
 mod prepared;
 mod published;
@@ -14,6 +16,7 @@ mod steps;
 mod stop;
 mod teach_and_reproduce;
 mod tidy;
+mod virtual_robot;
 mod webapp;
 
 /// The server as a program, built beside these tests.

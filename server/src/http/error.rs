@@ -214,6 +214,7 @@ impl From<robot::RobotError> for ApiError {
                 StatusCode::SERVICE_UNAVAILABLE
             }
             robot::RobotError::SignalUnknown { .. } => StatusCode::NOT_FOUND,
+            robot::RobotError::BadSpeed { .. } => StatusCode::UNPROCESSABLE_ENTITY,
             // The controller answers and says no.
             _ => StatusCode::CONFLICT,
         };
@@ -249,6 +250,8 @@ impl From<ReproducingError> for ApiError {
         match error {
             ReproducingError::Robot(error) => error.into(),
             ReproducingError::Store(error) => error.into(),
+            ReproducingError::NoWay(error) => error.into(),
+            ReproducingError::Crashed(error) => Self::internal(&error),
             ReproducingError::PlanUnknown => {
                 Self::conflict("plan_unknown", sentence(&error)).advise("Preview the motion again.")
             }
@@ -406,6 +409,9 @@ fn place_of(error: &PlanError) -> Option<Value> {
                 "t_s": breach.t_s, "value": breach.value, "limit": breach.limit,
             }),
         }),
-        PlanError::PresentUnknown | PlanError::JointCount(_) | PlanError::DoesNotSettle => None,
+        PlanError::PresentUnknown
+        | PlanError::JointCount(_)
+        | PlanError::NoWayBack
+        | PlanError::DoesNotSettle => None,
     }
 }

@@ -18,6 +18,7 @@ mod plans;
 mod reproductions;
 mod robot;
 mod router;
+mod run_control;
 mod session;
 mod signals;
 mod state;

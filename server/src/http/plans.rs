@@ -188,7 +188,7 @@ fn target(place: Place) -> Target {
     }
 }
 
-fn answer(known: &KnownPlan) -> Plan {
+pub(super) fn answer(known: &KnownPlan) -> Plan {
     let (t_s, joints_deg, tcp_mm) = plan_columns(&known.plan, POINTS);
     Plan {
         plan: known.plan.hash().to_owned(),

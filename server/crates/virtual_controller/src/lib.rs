@@ -27,7 +27,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use tokio::net::TcpListener;
-use tokio::sync::watch;
+use tokio::sync::{broadcast, watch};
 use tokio::task::JoinHandle;
 
 pub use config::{Config, EgmSettings, MessageSet, StopMode};
@@ -37,9 +37,10 @@ pub use faults::script::{Direction, Fault, FaultScript, ScriptedFault};
 pub use faults::{FaultSwitches, Faults};
 pub use simulation::{Datagram, SimulatedController};
 
-use controller::Controller;
+use controller::{Change, Controller, Refusal};
 use egm_client::EgmClient;
 use rws::Identity;
+use events::Event;
 
 /// How long open connections may take to end when the controller stops.
 const FAREWELL: Duration = Duration::from_secs(1);
@@ -112,6 +113,39 @@ impl VirtualController {
     #[must_use]
     pub fn faults(&self) -> FaultSwitches {
         FaultSwitches(Arc::clone(&self.controller))
+    }
+
+    /// Reports every later change, new events among them.
+    #[must_use]
+    pub fn changes(&self) -> broadcast::Receiver<Change> {
+        lock(&self.controller).subscribe()
+    }
+
+    /// The events after the one with this number, oldest first.
+    #[must_use]
+    pub fn events_after(&self, number: u64) -> Vec<Event> {
+        let controller = lock(&self.controller);
+        let newest = controller.events().newest_first(0);
+        let mut events: Vec<Event> = newest
+            .take_while(|event| event.number > number)
+            .cloned()
+            .collect();
+        events.reverse();
+        events
+    }
+
+    /// Switches the motors on and starts the program, unless it runs, as a person at the
+    /// controller does.
+    ///
+    /// # Errors
+    /// [`Refusal`] when the controller's state does not allow it.
+    pub fn keep_running(&self) -> Result<(), Refusal> {
+        let mut controller = lock(&self.controller);
+        if controller.program().is_running() {
+            return Ok(());
+        }
+        controller.set_motors(true)?;
+        controller.start_program(None)
     }
 
     /// Stops the controller and waits until its sockets are closed.
