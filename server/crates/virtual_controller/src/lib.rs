@@ -39,8 +39,8 @@ pub use simulation::{Datagram, SimulatedController};
 
 use controller::{Change, Controller, Refusal};
 use egm_client::EgmClient;
-use rws::Identity;
 use events::Event;
+use rws::Identity;
 
 /// How long open connections may take to end when the controller stops.
 const FAREWELL: Duration = Duration::from_secs(1);
