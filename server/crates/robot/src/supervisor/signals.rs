@@ -181,7 +181,9 @@ impl Supervisor {
                     late_ms = 1000.0 * done.set.late_s,
                     "a signal of the motion is set"
                 );
+                let words = format!("{} is {}.", done.set.name, u8::from(done.set.on));
                 signals.set.push(done.set);
+                slot.note("signal_set", words);
             }
             Err(error) => {
                 tracing::error!(signal = done.set.name, %error, "a signal of the motion is not set");
