@@ -1,10 +1,12 @@
 // Six small plots, one for each joint: told apart by place and name, so colour carries nothing.
+import type { ReadonlySignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import { degrees } from "../format/numbers";
 import { t } from "../texts";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
+import { drawLine, useCursor } from "./cursor";
 import { NumbersTable } from "./numbers-table";
 import { paddedRange, sentence, summarise } from "./summary";
 
@@ -23,9 +25,11 @@ interface Props {
   bandDeg?: number[][];
   /** Where the motion proper begins: a vertical line. */
   markS?: number;
+  /** A time that moves: a second line. */
+  cursor?: ReadonlySignal<number>;
 }
 
-export function JointPanels({ title, timesS, layers, bandDeg, markS }: Props) {
+export function JointPanels({ title, timesS, layers, bandDeg, markS, cursor }: Props) {
   const main = layers[0]?.joints ?? [];
   return (
     <figure class="panels">
@@ -33,7 +37,7 @@ export function JointPanels({ title, timesS, layers, bandDeg, markS }: Props) {
       {layers.length > 1 && <Legend layers={layers} />}
       <div class="panel-grid" role="img" aria-label={sentence(title, timesS, main)}>
         {main.map((_, joint) => (
-          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, joint }} />
+          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, cursor, joint }} />
         ))}
       </div>
       <NumbersTable caption={title} joints={main} />
@@ -46,10 +50,11 @@ interface PanelProps {
   layers: Layer[];
   bandDeg: number[][] | undefined;
   markS: number | undefined;
+  cursor: ReadonlySignal<number> | undefined;
   joint: number;
 }
 
-function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
+function Panel({ timesS, layers, bandDeg, markS, cursor, joint }: PanelProps) {
   const band = bandDeg?.[joint];
   const data = useMemo<uPlot.AlignedData>(() => {
     const lines = layers.map((layer) => layer.joints[joint] ?? []);
@@ -59,7 +64,8 @@ function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
       : [];
     return [timesS, ...edges, ...lines];
   }, [timesS, layers, band, joint]);
-  const options = () => panelOptions(layers, band !== undefined, markS);
+  const options = () => panelOptions(layers, band !== undefined, markS, cursor);
+  const onReady = useCursor(cursor);
   const summary = summarise(layers[0]?.joints[joint] ?? []);
   return (
     <div class="panel">
@@ -67,12 +73,17 @@ function Panel({ timesS, layers, bandDeg, markS, joint }: PanelProps) {
         <strong>{t.plot.short(joint + 1)}</strong>
         {summary && <span>{degrees(summary.highest - summary.lowest, 0)}</span>}
       </p>
-      <Chart options={options} data={data} height={120} />
+      <Chart options={options} data={data} height={120} onReady={onReady} />
     </div>
   );
 }
 
-function panelOptions(layers: Layer[], banded: boolean, markS: number | undefined) {
+function panelOptions(
+  layers: Layer[],
+  banded: boolean,
+  markS: number | undefined,
+  cursor: ReadonlySignal<number> | undefined,
+) {
   const edge: uPlot.Series = { stroke: "transparent", points: { show: false } };
   const lines = layers.map((layer) => ({
     stroke: colour(layer.look === "dashed" ? "plot-second" : "plot-first"),
@@ -96,21 +107,12 @@ function panelOptions(layers: Layer[], banded: boolean, markS: number | undefine
     ],
   };
   if (banded) options.bands = [{ series: [1, 2], fill: colour("plot-band") }];
-  if (markS !== undefined) options.hooks = { draw: [(plot) => drawMark(plot, markS)] };
+  const drawLines = (plot: uPlot) => {
+    if (markS !== undefined) drawLine(plot, markS, colour("plot-axis"), [2, 4]);
+    if (cursor) drawLine(plot, cursor.peek(), colour("text"), []);
+  };
+  options.hooks = { draw: [drawLines] };
   return options;
-}
-
-function drawMark(plot: uPlot, atS: number): void {
-  const x = Math.round(plot.valToPos(atS, "x", true));
-  const { top, height } = plot.bbox;
-  plot.ctx.save();
-  plot.ctx.strokeStyle = colour("plot-axis");
-  plot.ctx.setLineDash([2, 4]);
-  plot.ctx.beginPath();
-  plot.ctx.moveTo(x, top);
-  plot.ctx.lineTo(x, top + height);
-  plot.ctx.stroke();
-  plot.ctx.restore();
 }
 
 function Legend({ layers }: { layers: Layer[] }) {

@@ -1,0 +1,38 @@
+// English words of the flight record on a motion's page.
+export const flight = {
+  replay: "Replay",
+  play: "Play",
+  pause: "Pause",
+  slider: "Time in the motion",
+  at: (at: string, end: string) => `${at} of ${end}`,
+  phases: {
+    approach: "Going to the start",
+    motion: "Doing the motion",
+    settling: "Coming to rest",
+    stopping: "Stopping",
+  } as Record<string, string>,
+  jointsAt: "Joint angles at this time",
+  joint: "Joint",
+  planned: "Planned",
+  measured: "Measured",
+  off: "Off",
+  errorPlot: "Off the plan, in degrees",
+  errorSummary: (joint: number, most: string) =>
+    `Off the plan: joint ${joint} most, by ${most} at the worst.`,
+  marks: "Dotted lines: messages of the robot were lost or came late.",
+  events: "What happened",
+  none: "Nothing was recorded: the arm did not move.",
+  byJoint: "Off the plan, joint by joint",
+  most: "At most",
+  rms: "Root mean square",
+  files: "Take the record away",
+  csv: "Table (CSV)",
+  mcap: "Recording (MCAP)",
+  counts: {
+    cycles: "Control cycles",
+    lost: "Messages lost",
+    late: "Messages late",
+    held: "Cycles in which the arm was held",
+    limited: "Cycles slowed to stay within the limits",
+  },
+};
