@@ -3,7 +3,8 @@
 -- Layout 1 is described in 0003. Layout 2 holds `count` little-endian records of at_us (u64), plan
 -- time in seconds (f64), six commanded and six measured joint angles in degrees (f64), six commanded
 -- speeds in degrees per second (f32), utilisation in percent (f32, NaN when it is not known), messages
--- lost before it (u32), phase (u8: 0 approach, 1 motion, 2 settling, 3 stopping) and bits (u8: 1 late,
+-- lost before it (u32), phase (u8: 0 approach, 1 motion, 2 settling, 3 stopping,
+-- 4 paused) and bits (u8: 1 late,
 -- 2 held, 4 limited, 8 motors on, 16 program running). The times of a chunk of layout 1 are not known.
 ALTER TABLE reproduction_chunk ADD COLUMN layout INTEGER NOT NULL DEFAULT 1 CHECK (layout IN (1, 2));
 ALTER TABLE reproduction_chunk ADD COLUMN first_us INTEGER CHECK (first_us >= 0);

@@ -8,9 +8,10 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use crate::ids::{DemonstrationId, TaskId};
-use crate::jobs::demonstration_of;
+use crate::jobs::demonstration_with;
 use crate::store::demonstrations::{Demonstration, DemonstrationState};
 use crate::store::samples::Sample;
+use crate::store::signals::SignalEvent;
 use crate::store::text::Failure;
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
@@ -136,21 +137,21 @@ async fn compare(
     }
     let mut recordings = Vec::with_capacity(takes.len());
     for take in takes {
-        let samples = store.samples(take.id).await?;
-        recordings.push((take, samples));
+        let (samples, signals) = (store.samples(take.id).await?, store.signals(take.id).await?);
+        recordings.push((take, samples, signals));
     }
     Ok(tokio::task::spawn_blocking(move || judge(&recordings)).await?)
 }
 
 /// CPU-heavy: not for the async threads.
-fn judge(recordings: &[(Demonstration, Vec<Sample>)]) -> TaskAgreement {
+fn judge(recordings: &[(Demonstration, Vec<Sample>, Vec<SignalEvent>)]) -> TaskAgreement {
     let mut takes: Vec<ComparedTake> = recordings
         .iter()
-        .map(|(demonstration, _)| ComparedTake::open(demonstration))
+        .map(|(demonstration, ..)| ComparedTake::open(demonstration))
         .collect();
     let (mut compared, mut usable, mut unusable) = (Vec::new(), Vec::new(), None);
-    for (index, (_, samples)) in recordings.iter().enumerate() {
-        match demonstration_of(&takes[index].name(), samples) {
+    for (index, (_, samples, signals)) in recordings.iter().enumerate() {
+        match demonstration_with(&takes[index].name(), samples, signals) {
             Ok(demonstration) => {
                 compared.push(index);
                 usable.push(demonstration);
@@ -161,7 +162,8 @@ fn judge(recordings: &[(Demonstration, Vec<Sample>)]) -> TaskAgreement {
             }
         }
     }
-    let agreement = learning::agreement::of(&usable, &mut |_, _| Ok(()));
+    let agreement = learning::agreement::of(&usable, &mut |_, _| Ok(()))
+        .and_then(|agreement| learning::signals::check_same(&usable).map(|()| agreement));
     if let Ok(agreement) = &agreement {
         for (&index, take) in compared.iter().zip(&agreement.takes) {
             takes[index].compared(take, agreement.takes.len());
@@ -173,7 +175,9 @@ fn judge(recordings: &[(Demonstration, Vec<Sample>)]) -> TaskAgreement {
             Some(failure(&error, sentence(&error), advice))
         }
         (None, Err(error)) => {
-            let words = different_motions(error, &mut takes).unwrap_or_else(|| sentence(error));
+            let words = different_motions(error, &mut takes)
+                .or_else(|| different_signals(error, &mut takes))
+                .unwrap_or_else(|| sentence(error));
             Some(failure(error, words, error.advice().into()))
         }
         (None, Ok(_)) => None,
@@ -225,6 +229,20 @@ fn different_motions(error: &learning::Error, takes: &mut [ComparedTake]) -> Opt
     } else {
         sentence(&format!("{others} {show} another motion than {most}"))
     })
+}
+
+/// Marks the take that works the signals differently. Of two takes nobody can tell which is odd.
+fn different_signals(error: &learning::Error, takes: &mut [ComparedTake]) -> Option<String> {
+    let learning::Error::SignalsDiffer { name, other, .. } = error else {
+        return None;
+    };
+    let undecided = takes.len() < 3;
+    for take in takes {
+        if take.name() == *name || (undecided && take.name() == *other) {
+            take.judge(Verdict::Differs, "Works the gripper differently");
+        }
+    }
+    Some(sentence(error))
 }
 
 /// "take 1, take 2 and take 3".

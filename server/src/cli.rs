@@ -1,11 +1,12 @@
 //! The command line beside the server: training, reproduction and
-//! evaluation on files.
+//! evaluation on files, and the virtual robot by itself.
 
 pub mod evaluate;
 mod folder;
 pub mod reproduce;
 mod terminal;
 pub mod train;
+pub mod virtual_robot;
 
 /// Why a command failed; printed to people, with what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -44,6 +45,9 @@ pub enum CliError {
         #[from]
         error: learning::Error,
     },
+    /// The virtual robot did not start, or its script makes no sense.
+    #[error("the virtual robot does not start: {0}")]
+    VirtualRobot(#[from] virtual_controller::Error),
     /// Threads could not be started.
     #[error("the worker threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

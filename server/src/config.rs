@@ -63,6 +63,8 @@ pub enum Command {
     Evaluate(cli::evaluate::Args),
     /// Reproduce a model into numbers.
     Reproduce(cli::reproduce::Args),
+    /// Run the virtual robot by itself, for a server on another computer.
+    VirtualRobot(cli::virtual_robot::Args),
 }
 
 #[cfg(test)]

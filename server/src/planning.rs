@@ -2,7 +2,9 @@
 //! streamed: a slow approach to the start, the motion, slowed down where the
 //! limits ask for it, and the gate's word on the whole.
 
+mod back;
 mod error;
+mod signals;
 mod targets;
 mod warning;
 
@@ -16,7 +18,9 @@ use motion::{
     spline::Spline,
 };
 
+pub use back::back;
 pub use error::PlanError;
+pub use signals::remarks as signal_remarks;
 pub use targets::Target;
 use targets::{resolve, turn_with_start, whole_turns};
 pub use warning::Warning;
@@ -97,10 +101,17 @@ pub fn plan(
     };
     let approach_samples = joints.len();
     joints.extend(motion);
+    let course = signals::Course {
+        at_start_s: approach_samples.saturating_sub(samples_in(PAUSE_S)) as f64 * PERIOD_S,
+        begins_s: approach_samples as f64 * PERIOD_S,
+        stretch,
+        ends_s: (joints.len() - 1) as f64 * PERIOD_S,
+    };
     let proposed = ProposedMotion {
         period_s: PERIOD_S,
         approach_samples,
         joints,
+        signals: signals::of(model, course),
     };
     let inspection = gate::inspect(&proposed, limits)?;
     let plan = gate::approve(&proposed, limits)?;
@@ -200,6 +211,7 @@ fn within_rates(
             period_s: PERIOD_S,
             approach_samples: 0,
             joints,
+            signals: Vec::new(),
         };
         let inspection = gate::inspect(&proposed, limits)?;
         match inspection.breach {

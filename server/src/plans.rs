@@ -33,6 +33,8 @@ pub struct KnownPlan {
     pub start: JointAngles,
     /// Where it ends.
     pub goal: JointAngles,
+    /// It leads back along another plan, so that there is nothing learnt to compare it with.
+    pub backwards: bool,
     /// How many times slower than asked for the limits made it.
     pub slowed_by: f64,
     /// How many times slower than taught it is.
@@ -63,10 +65,34 @@ impl KnownPlan {
             plan: Arc::new(motion.plan),
             start: motion.start,
             goal: motion.goal,
+            backwards: false,
             slowed_by: motion.slowed_by,
             stretch: motion.stretch,
             inspection: motion.inspection,
             warnings: motion.warnings,
+        })
+    }
+}
+
+impl KnownPlan {
+    /// The way back of an arm that stopped at `stopped_s` of this plan. CPU-heavy.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub fn back(&self, stopped_s: f64) -> Result<Self, PlanError> {
+        let (plan, inspection) = planning::back(&self.plan, stopped_s, &RobotLimits::gofa5())?;
+        Ok(Self {
+            task_id: self.task_id,
+            model_id: self.model_id,
+            model: self.model.clone(),
+            start: plan.first(),
+            goal: plan.last(),
+            plan: Arc::new(plan),
+            backwards: true,
+            slowed_by: 1.0,
+            stretch: self.stretch,
+            inspection,
+            warnings: Vec::new(),
         })
     }
 }

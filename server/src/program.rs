@@ -17,6 +17,10 @@ pub fn run() -> ExitCode {
         Some(Command::Train(arguments)) => cli::train::run(&arguments).map_err(Into::into),
         Some(Command::Evaluate(arguments)) => cli::evaluate::run(&arguments).map_err(Into::into),
         Some(Command::Reproduce(arguments)) => cli::reproduce::run(&arguments).map_err(Into::into),
+        Some(Command::VirtualRobot(arguments)) => {
+            begin_log();
+            cli::virtual_robot::run(&arguments).map_err(Into::into)
+        }
         Some(Command::Serve(config)) => serve(config),
         None => serve(line.config),
     };
@@ -30,12 +34,16 @@ pub fn run() -> ExitCode {
     }
 }
 
-fn serve(config: Config) -> anyhow::Result<()> {
+fn begin_log() {
     let filter = EnvFilter::try_from_env("TEAM_LOG").unwrap_or_else(|_| EnvFilter::new("info"));
     tracing_subscriber::fmt()
         .with_writer(std::io::stderr)
         .with_env_filter(filter)
         .init();
+}
+
+fn serve(config: Config) -> anyhow::Result<()> {
+    begin_log();
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)
         .enable_all()

@@ -2,7 +2,7 @@
 //! stored model to one that can be computed with.
 
 use crate::ids::{DemonstrationId, ModelId, TaskId};
-use crate::jobs::{Queue, TrainingRequest, demonstration_of};
+use crate::jobs::{Queue, TrainingRequest, demonstration_with};
 use crate::store::demonstrations::{Demonstration, DemonstrationState};
 use crate::store::jobs::Job;
 use crate::store::models::{Model, ModelState};
@@ -55,6 +55,9 @@ pub enum TrainingError {
         /// Why.
         error: learning::Error,
     },
+    /// Demonstrations that are good alone do not go together.
+    #[error(transparent)]
+    Together(learning::Error),
     /// The method is not known.
     #[error("there is no method {0}")]
     UnknownMethod(String),
@@ -88,9 +91,11 @@ pub async fn begin(
     };
     let all = store.demonstrations(wish.task_id).await?;
     let chosen = chosen(all, wish.demonstrations.as_deref())?;
+    let mut checked = Vec::with_capacity(chosen.len());
     for demonstration in &chosen {
-        check(store, demonstration).await?;
+        checked.push(check(store, demonstration).await?);
     }
+    learning::signals::check_same(&checked).map_err(TrainingError::Together)?;
     let request = TrainingRequest {
         task_id: wish.task_id,
         demonstrations: chosen
@@ -127,7 +132,10 @@ fn chosen(
     Ok(chosen)
 }
 
-async fn check(store: &Store, demonstration: &Demonstration) -> Result<(), TrainingError> {
+async fn check(
+    store: &Store,
+    demonstration: &Demonstration,
+) -> Result<learning::Demonstration, TrainingError> {
     let take = demonstration.take;
     if matches!(
         demonstration.state,
@@ -136,10 +144,10 @@ async fn check(store: &Store, demonstration: &Demonstration) -> Result<(), Train
         return Err(TrainingError::StillOpen { take });
     }
     let samples = store.samples(demonstration.id).await?;
+    let signals = store.signals(demonstration.id).await?;
     let name = format!("take {take}");
-    let checked = tokio::task::spawn_blocking(move || demonstration_of(&name, &samples)).await?;
-    checked
-        .map(|_| ())
+    tokio::task::spawn_blocking(move || demonstration_with(&name, &samples, &signals))
+        .await?
         .map_err(|error| TrainingError::Unusable {
             id: demonstration.id,
             take,

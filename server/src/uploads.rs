@@ -2,11 +2,12 @@
 
 use crate::clock::WallTime;
 use crate::ids::{DemonstrationId, TaskId};
-use crate::jobs::demonstration_of;
+use crate::jobs::demonstration_with;
 use crate::store::demonstrations::{
     Demonstration, DemonstrationSource, DemonstrationState, NewDemonstration,
 };
 use crate::store::samples::Sample;
+use crate::store::signals::SignalEvent;
 use crate::store::{self, Store};
 
 /// Why a file was not stored.
@@ -46,7 +47,8 @@ pub async fn store(
     store.task(task_id).await?;
     let label: String = name.chars().filter(|c| !c.is_control()).take(80).collect();
     let read_as = label.clone();
-    let samples = tokio::task::spawn_blocking(move || read(&read_as, body.as_ref())).await??;
+    let (samples, signals) =
+        tokio::task::spawn_blocking(move || read(&read_as, body.as_ref())).await??;
     let new = NewDemonstration {
         id: DemonstrationId::new(),
         task_id,
@@ -54,10 +56,12 @@ pub async fn store(
         source: DemonstrationSource::File,
     };
     let note = format!("From the file {label}.");
-    Ok(store.store_demonstration(new, &samples, &note, now).await?)
+    Ok(store
+        .store_demonstration(new, &samples, &signals, &note, now)
+        .await?)
 }
 
-fn read(name: &str, body: &[u8]) -> Result<Vec<Sample>, UploadError> {
+fn read(name: &str, body: &[u8]) -> Result<(Vec<Sample>, Vec<SignalEvent>), UploadError> {
     let text = std::str::from_utf8(body).map_err(|_| UploadError::NotText)?;
     let demonstration = learning::read::from_str(name, text)?;
     let rows = demonstration.joints_deg();
@@ -79,7 +83,16 @@ fn read(name: &str, body: &[u8]) -> Result<Vec<Sample>, UploadError> {
             tcp_mm: tcp_mm.map(|tcp| tcp[row]),
         })
         .collect();
+    let signals: Vec<SignalEvent> = demonstration
+        .signals()
+        .iter()
+        .map(|event| SignalEvent {
+            at_us: ((event.at_s - begin_s) * 1e6).round() as u64,
+            name: event.name.clone(),
+            on: event.on,
+        })
+        .collect();
     // Times are kept in microseconds; what is stored has to be as good as what was read.
-    demonstration_of(name, &samples)?;
-    Ok(samples)
+    demonstration_with(name, &samples, &signals)?;
+    Ok((samples, signals))
 }

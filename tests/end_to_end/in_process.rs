@@ -31,6 +31,12 @@ impl InProcess {
         faults.set(|faults| faults.egm_lost = silent);
     }
 
+    /// Whether signals stay as they are although the controller takes them.
+    pub fn signals_get_stuck(&self, stuck: bool) {
+        let faults = self.0.virtual_faults().expect("the arm is virtual");
+        faults.set(|faults| faults.signals_stuck = stuck);
+    }
+
     pub async fn shutdown(self) {
         self.0.shutdown().await;
     }

@@ -6,13 +6,17 @@ mod cli;
 mod crash;
 mod flight;
 mod in_process;
+mod independent;
+mod pace;
 mod pairing;
 mod prepared;
 mod published;
+mod signals;
 mod steps;
 mod stop;
 mod teach_and_reproduce;
 mod tidy;
+mod virtual_robot;
 mod webapp;
 
 /// The server as a program, built beside these tests.

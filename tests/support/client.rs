@@ -19,6 +19,10 @@ impl Client {
     /// When the system refuses to make an HTTP client.
     #[must_use]
     pub fn new(base: &str) -> Self {
+        // The robot's client brings TLS into reqwest, which cannot be built without a provider then.
+        rustls::crypto::ring::default_provider()
+            .install_default()
+            .ok();
         let http = reqwest::Client::builder()
             .no_proxy()
             .redirect(reqwest::redirect::Policy::none())

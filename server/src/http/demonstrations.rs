@@ -12,10 +12,11 @@ use utoipa::{IntoParams, ToSchema};
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
+use super::signals::SignalMark;
 use super::state::AppState;
 use super::trajectories::{MaxPoints, Trajectory, trajectory_of};
 use crate::ids::{DemonstrationId, TaskId};
-use crate::jobs::demonstration_of;
+use crate::jobs::demonstration_with;
 use crate::recording::{HandShowing, RecordingRequest};
 use crate::store::demonstrations::{Decision, Demonstration};
 use crate::uploads;
@@ -131,7 +132,9 @@ pub async fn trajectory(
 ) -> Result<Json<Trajectory>, ApiError> {
     state.store.demonstration(id).await?;
     let (samples, gaps) = (state.store.samples(id).await?, state.store.gaps(id).await?);
-    Ok(Json(trajectory_of(&samples, &gaps, max.points(300)?)))
+    let signals = SignalMark::all(state.store.signals(id).await?);
+    let trajectory = trajectory_of(&samples, &gaps, max.points(300)?);
+    Ok(Json(trajectory.with_signals(signals)))
 }
 
 /// What was recorded, at its full rate, as a file that can be uploaded again.
@@ -146,9 +149,10 @@ pub async fn download(
 ) -> Result<Response, ApiError> {
     let demonstration = state.store.demonstration(id).await?;
     let samples = state.store.samples(id).await?;
+    let signals = state.store.signals(id).await?;
     let name = format!("take {}", demonstration.take);
     let text = tokio::task::spawn_blocking(move || {
-        demonstration_of(&name, &samples).map(|d| learning::write::to_json(&d))
+        demonstration_with(&name, &samples, &signals).map(|d| learning::write::to_json(&d))
     })
     .await
     .map_err(|error| ApiError::internal(&error))??;

@@ -213,6 +213,8 @@ impl From<robot::RobotError> for ApiError {
             robot::RobotError::Controller(ref refusal) if refusal.is_unreachable() => {
                 StatusCode::SERVICE_UNAVAILABLE
             }
+            robot::RobotError::SignalUnknown { .. } => StatusCode::NOT_FOUND,
+            robot::RobotError::BadSpeed { .. } => StatusCode::UNPROCESSABLE_ENTITY,
             // The controller answers and says no.
             _ => StatusCode::CONFLICT,
         };
@@ -248,6 +250,8 @@ impl From<ReproducingError> for ApiError {
         match error {
             ReproducingError::Robot(error) => error.into(),
             ReproducingError::Store(error) => error.into(),
+            ReproducingError::NoWay(error) => error.into(),
+            ReproducingError::Crashed(error) => Self::internal(&error),
             ReproducingError::PlanUnknown => {
                 Self::conflict("plan_unknown", sentence(&error)).advise("Preview the motion again.")
             }
@@ -285,6 +289,7 @@ impl From<TrainingError> for ApiError {
                     .at(place)
                     .advise(error.advice())
             }
+            TrainingError::Together(error) => error.into(),
             TrainingError::UnknownMethod(_) => {
                 Self::unprocessable("method_unknown", "method", words)
                     .advise("Leave it out, or write \"faithful\" or \"paper\".")
@@ -389,6 +394,7 @@ fn place_of(error: &PlanError) -> Option<Value> {
         PlanError::Learning(error) => serde_json::to_value(error.where_()).ok(),
         PlanError::Refused(refusal) => Some(match refusal {
             Refusal::Malformed => json!({}),
+            Refusal::SignalMisplaced { name, at_s } => json!({ "field": name, "t_s": at_s }),
             Refusal::NotFinite { joint, t_s } => json!({ "joint": joint + 1, "t_s": t_s }),
             Refusal::OutsideRange {
                 joint,
@@ -403,6 +409,9 @@ fn place_of(error: &PlanError) -> Option<Value> {
                 "t_s": breach.t_s, "value": breach.value, "limit": breach.limit,
             }),
         }),
-        PlanError::PresentUnknown | PlanError::JointCount(_) | PlanError::DoesNotSettle => None,
+        PlanError::PresentUnknown
+        | PlanError::JointCount(_)
+        | PlanError::NoWayBack
+        | PlanError::DoesNotSettle => None,
     }
 }

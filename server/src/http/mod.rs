@@ -18,7 +18,9 @@ mod plans;
 mod reproductions;
 mod robot;
 mod router;
+mod run_control;
 mod session;
+mod signals;
 mod state;
 mod tasks;
 #[cfg(test)]

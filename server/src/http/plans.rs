@@ -7,10 +7,11 @@ use utoipa::ToSchema;
 
 use super::error::{ApiError, Problem};
 use super::extract::Json;
+use super::signals::SignalMark;
 use super::state::AppState;
 use super::trajectories::plan_columns;
 use crate::ids::ModelId;
-use crate::planning::{PlanRequest, Target, Warning};
+use crate::planning::{PlanRequest, Target, Warning, signal_remarks};
 use crate::plans::KnownPlan;
 use crate::training;
 
@@ -96,6 +97,8 @@ pub struct Plan {
     joints_deg: Vec<Vec<f64>>,
     /// For x, y and z, the tool's position at these times in millimetres.
     tcp_mm: Vec<Vec<f64>>,
+    /// The signals that are set on the way.
+    signals: Vec<SignalMark>,
     /// The largest values on the way.
     peak: Peak,
 }
@@ -145,11 +148,13 @@ pub async fn create(
     let task_id = state.store.model(new.model_id).await?.task_id;
     let model = training::load(&state.store, new.model_id).await?;
     let present = present_pose(&state);
-    let planned = tokio::task::spawn_blocking(move || {
+    let mut planned = tokio::task::spawn_blocking(move || {
         KnownPlan::make(task_id, new.model_id, model, &request, present)
     })
     .await
     .map_err(|error| ApiError::internal(&error))??;
+    let remarks = signal_remarks(&planned.plan, &state.robot.view().borrow().signals);
+    planned.warnings.extend(remarks);
     let known = state.plans.remember(planned);
     Ok(Json(answer(&known)))
 }
@@ -183,7 +188,7 @@ fn target(place: Place) -> Target {
     }
 }
 
-fn answer(known: &KnownPlan) -> Plan {
+pub(super) fn answer(known: &KnownPlan) -> Plan {
     let (t_s, joints_deg, tcp_mm) = plan_columns(&known.plan, POINTS);
     Plan {
         plan: known.plan.hash().to_owned(),
@@ -199,6 +204,7 @@ fn answer(known: &KnownPlan) -> Plan {
         t_s,
         joints_deg,
         tcp_mm,
+        signals: known.plan.signals().iter().map(SignalMark::of).collect(),
         peak: Peak {
             joint_speed_deg_s: known.inspection.peak_joint_speed_deg_s,
             tcp_speed_mm_s: known.inspection.peak_tcp_speed_mm_s,

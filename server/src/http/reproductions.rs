@@ -9,6 +9,7 @@ use utoipa::{IntoParams, ToSchema};
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
+use super::signals::RunSignalMark;
 use super::state::AppState;
 use super::trajectories::{MaxPoints, RunTrajectory, picks, run_trajectory_of};
 use crate::ids::{ReproductionId, TaskId};
@@ -122,7 +123,8 @@ pub async fn trajectory(
         }
         passed += cycles.len();
     }
-    Ok(Json(run_trajectory_of(&picked)))
+    let signals = RunSignalMark::all(state.store.run_signals(id).await?);
+    Ok(Json(run_trajectory_of(&picked).with_signals(signals)))
 }
 
 fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, ApiError> {

@@ -9,6 +9,7 @@ use utoipa::ToSchema;
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
 use super::extract::Json;
+use super::signals::SignalAnswer;
 use super::state::AppState;
 use crate::recording::HandShowing;
 
@@ -42,6 +43,8 @@ pub struct RobotAnswer {
     fault: Option<FaultAnswer>,
     /// How far the running motion is.
     run: Option<RunAnswer>,
+    /// The signals that may be worked.
+    signals: Vec<SignalAnswer>,
 }
 
 /// The EGM link.
@@ -73,13 +76,17 @@ pub struct FaultAnswer {
 /// How far a motion is.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct RunAnswer {
-    /// "approach", "motion", "settling" or "stopping".
+    /// "approach", "motion", "paused", "settling" or "stopping".
     #[schema(value_type = String)]
     phase: robot::RunPhase,
     /// Where in the plan it is, in seconds.
     t_s: f64,
     /// How long the plan takes, in seconds.
     duration_s: f64,
+    /// The speed asked for, as a share of the plan's.
+    speed: f64,
+    /// Whether somebody asked for a pause.
+    paused: bool,
 }
 
 impl From<&RobotView> for RobotAnswer {
@@ -88,6 +95,8 @@ impl From<&RobotView> for RobotAnswer {
             phase: run.phase,
             t_s: run.t_s,
             duration_s: run.duration_s,
+            speed: run.speed,
+            paused: run.paused,
         };
         Self {
             kind: view.kind,
@@ -112,6 +121,7 @@ impl From<&RobotView> for RobotAnswer {
                 advice: fault.advice.clone(),
             }),
             run: view.run.map(run),
+            signals: view.signals.iter().map(SignalAnswer::of).collect(),
         }
     }
 }

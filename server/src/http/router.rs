@@ -13,7 +13,7 @@ use utoipa_axum::routes;
 use super::state::AppState;
 use super::{
     agreement, assets, auth, demonstrations, flights, headers, health, jobs, live, models, plans,
-    reproductions, robot, session, tasks,
+    reproductions, robot, run_control, session, signals, tasks,
 };
 
 /// Requests are small; only recorded files are not.
@@ -74,11 +74,14 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(robot::reset))
         .routes(routes!(robot::lead_through))
         .routes(routes!(robot::virtual_hand))
+        .routes(routes!(signals::set))
         .routes(routes!(live::open))
         .routes(routes!(plans::create))
         .routes(routes!(reproductions::list, reproductions::start))
         .routes(routes!(reproductions::show))
         .routes(routes!(reproductions::stop))
+        .routes(routes!(run_control::pace))
+        .routes(routes!(run_control::back))
         .routes(routes!(reproductions::trajectory))
         .routes(routes!(flights::show))
         .routes(routes!(flights::events))

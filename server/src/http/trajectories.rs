@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
 use super::error::ApiError;
+use super::signals::{RunSignalMark, SignalMark};
 use crate::store::cycles::Cycle;
 use crate::store::recordings::Gap;
 use crate::store::samples::Sample;
@@ -45,6 +46,15 @@ pub struct Trajectory {
     tcp_mm: Vec<Vec<f64>>,
     /// Stretches without samples.
     gaps: Vec<GapAnswer>,
+    /// What was done with signals.
+    signals: Vec<SignalMark>,
+}
+
+impl Trajectory {
+    /// The same with what was done with signals.
+    pub fn with_signals(self, signals: Vec<SignalMark>) -> Self {
+        Self { signals, ..self }
+    }
 }
 
 /// A stretch without samples.
@@ -65,6 +75,15 @@ pub struct RunTrajectory {
     commanded_deg: Vec<Vec<f64>>,
     /// For each joint, the angle that the controller reported in degrees.
     measured_deg: Vec<Vec<f64>>,
+    /// The signals that were set on the way.
+    signals: Vec<RunSignalMark>,
+}
+
+impl RunTrajectory {
+    /// The same with the signals that were set.
+    pub fn with_signals(self, signals: Vec<RunSignalMark>) -> Self {
+        Self { signals, ..self }
+    }
 }
 
 /// The learnt motion.
@@ -100,6 +119,7 @@ pub fn trajectory_of(samples: &[Sample], gaps: &[Gap], max_points: usize) -> Tra
                 length_s: seconds(gap.length_us),
             })
             .collect(),
+        signals: Vec::new(),
     }
 }
 
@@ -109,6 +129,7 @@ pub fn run_trajectory_of(picked: &[Cycle]) -> RunTrajectory {
         t_s: picked.iter().map(|cycle| seconds(cycle.at_us)).collect(),
         commanded_deg: columns(picked.iter().map(|cycle| cycle.commanded_deg)),
         measured_deg: columns(picked.iter().map(|cycle| cycle.measured_deg)),
+        signals: Vec::new(),
     }
 }
 

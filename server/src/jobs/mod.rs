@@ -11,7 +11,7 @@ mod worker;
 
 use context::JobContext;
 pub use queue::{Queue, TrainingRequest};
-pub(crate) use train_model::demonstration_of;
+pub(crate) use train_model::{demonstration_of, demonstration_with};
 pub use worker::Worker;
 
 use crate::store::{self, text::Failure};

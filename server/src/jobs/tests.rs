@@ -66,7 +66,7 @@ impl Bench {
             .collect();
         let stored = self
             .store
-            .store_demonstration(new, &samples, "made up", WallTime(0))
+            .store_demonstration(new, &samples, &[], "made up", WallTime(0))
             .await;
         stored.unwrap().id
     }

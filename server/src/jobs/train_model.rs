@@ -8,13 +8,14 @@ use crate::ids::ModelId;
 use crate::store::jobs::JobProgress;
 use crate::store::models::TrainedModel;
 use crate::store::samples::Sample;
+use crate::store::signals::SignalEvent;
 use crate::store::text::Failure;
 use crate::store::{self, Store};
 
 /// Everything that a training needs, read from the store.
 pub(crate) struct Inputs {
     task: String,
-    demonstrations: Vec<(String, Vec<Sample>)>,
+    demonstrations: Vec<(String, Vec<Sample>, Vec<SignalEvent>)>,
     method: learning::Method,
     seed: u64,
 }
@@ -43,7 +44,8 @@ pub(crate) async fn inputs(store: &Store, model: ModelId) -> Result<Inputs, JobE
     let mut demonstrations = Vec::with_capacity(model.demonstrations.len());
     for id in model.demonstrations {
         let take = store.demonstration(id).await?.take;
-        demonstrations.push((format!("take {take}"), store.samples(id).await?));
+        let (samples, signals) = (store.samples(id).await?, store.signals(id).await?);
+        demonstrations.push((format!("take {take}"), samples, signals));
     }
     Ok(Inputs {
         task,
@@ -67,6 +69,28 @@ pub(crate) fn demonstration_of(
     learning::Demonstration::new(name.to_owned(), times_s, joints_deg, tcp_mm)
 }
 
+/// The same with what was done with signals meanwhile.
+///
+/// # Errors
+/// As above, or when a signal can't be one.
+pub(crate) fn demonstration_with(
+    name: &str,
+    samples: &[Sample],
+    signals: &[SignalEvent],
+) -> Result<learning::Demonstration, learning::Error> {
+    let demonstration = demonstration_of(name, samples)?;
+    let times_s = demonstration.times_s();
+    let (first_s, last_s) = (times_s[0], times_s[times_s.len() - 1]);
+    let events = signals.iter().map(|signal| learning::SignalEvent {
+        name: signal.name.clone(),
+        // One that was worked after the last sample was worked where the arm stood then.
+        at_s: (signal.at_us as f64 / 1e6).clamp(first_s, last_s),
+        on: signal.on,
+    });
+    let events = events.collect();
+    demonstration.with_signals(events)
+}
+
 impl Inputs {
     /// Trains. CPU-heavy: for the trainer threads only.
     ///
@@ -76,7 +100,7 @@ impl Inputs {
         let demonstrations = self
             .demonstrations
             .into_iter()
-            .map(|(name, samples)| demonstration_of(&name, &samples))
+            .map(|(name, samples, signals)| demonstration_with(&name, &samples, &signals))
             .collect::<Result<Vec<_>, _>>()?;
         let params = learning::TrainingParams::of(self.method, self.seed);
         let report = |progress: learning::Progress| context.report(progress_of(&progress));

@@ -42,6 +42,9 @@ pub enum PlanError {
         /// Distance from the taught start, degrees.
         offset_deg: f64,
     },
+    /// The arm stands where its motion began.
+    #[error("the arm has hardly moved, so there is no way back")]
+    NoWayBack,
     /// The reproduction does not come to rest at the goal.
     #[error("the motion does not come to rest at the goal")]
     DoesNotSettle,
@@ -62,6 +65,7 @@ impl PlanError {
             PlanError::JointCount(_) => "wrong_joint_count",
             PlanError::TargetOutsideRange { .. } => "outside_joint_range",
             PlanError::TurnedAway { .. } => "joint_turned_away",
+            PlanError::NoWayBack => "no_way_back",
             PlanError::DoesNotSettle => "motion_does_not_settle",
             PlanError::Learning(error) => error.code(),
             PlanError::Refused(refusal) => refusal.code(),
@@ -82,6 +86,7 @@ impl PlanError {
             PlanError::TurnedAway { .. } => {
                 "Let the motion begin as taught: the arm then turns the joint back slowly first."
             }
+            PlanError::NoWayBack => "Preview the motion again from where the arm stands now.",
             PlanError::DoesNotSettle => "Train the task again, with one more take.",
             PlanError::Learning(error) => error.advice(),
         }

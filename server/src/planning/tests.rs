@@ -11,6 +11,7 @@ use super::*;
 
 mod elsewhere;
 mod figures;
+mod signals;
 
 /// A motion of joints 1, 2 and 5, taught three times in `duration_s`.
 fn taught(duration_s: f64) -> Model {

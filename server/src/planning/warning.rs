@@ -1,7 +1,7 @@
 //! What people should know about a motion that may run.
 
 /// A remark on a planned motion: in words for people, by code and place for programs.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
     /// The start or goal lies far outside what was taught.
     #[error(
@@ -57,6 +57,24 @@ pub enum Warning {
         /// How much further, degrees.
         further_deg: f64,
     },
+    /// A signal stands otherwise than the demonstrations began with.
+    #[error(
+        "{label}: when the arm has reached the start, it will {does} first, as you showed it. Make sure that nothing can fall or be caught."
+    )]
+    SignalStandsOtherwise {
+        /// What people call the signal.
+        label: String,
+        /// What setting it does.
+        does: String,
+    },
+    /// The motion sets a signal that this server may not set.
+    #[error(
+        "The motion works the signal {name}, which this server may not set: it cannot be started."
+    )]
+    SignalUnknown {
+        /// The controller's name of it.
+        name: String,
+    },
 }
 
 impl Warning {
@@ -70,6 +88,8 @@ impl Warning {
             Warning::NoArm => "no_arm",
             Warning::WholeTurn { .. } => "whole_turn",
             Warning::TurnsFurther { .. } => "turns_further",
+            Warning::SignalStandsOtherwise { .. } => "signal_stands_otherwise",
+            Warning::SignalUnknown { .. } => "signal_unknown",
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::store;
 use crate::store::demonstrations::DemonstrationState;
 use crate::store::recordings::{Closing, Gap, NewSamples};
 use crate::store::samples::Sample;
+use crate::store::signals::SignalEvent;
 use crate::words::sentence;
 
 /// A crash costs at most what came in since the last chunk.
@@ -29,6 +30,7 @@ pub(super) struct Session {
     seq: usize,
     samples: Vec<Sample>,
     gaps: Vec<Gap>,
+    signals: Vec<SignalEvent>,
 }
 
 /// Why a recording ended.
@@ -55,6 +57,7 @@ impl Session {
             seq: 0,
             samples: Vec::new(),
             gaps: Vec::new(),
+            signals: Vec::new(),
         }
     }
 
@@ -160,7 +163,7 @@ impl Session {
     fn take(&mut self, event: GuidanceEvent) {
         match event {
             GuidanceEvent::Sample(sample) => {
-                let begin_us = *self.begin_us.get_or_insert(sample.at_us);
+                let begin_us = self.begin_at(sample.at_us);
                 self.samples.push(Sample {
                     at_us: sample.at_us.saturating_sub(begin_us),
                     joints_deg: sample.joints.0,
@@ -174,24 +177,67 @@ impl Session {
                     self.gaps.push(Gap { at_us, length_us });
                 }
             }
+            GuidanceEvent::Signal { name, on, at_us } => {
+                self.take_signal(at_us, name, on);
+            }
             GuidanceEvent::Ended { .. } => {}
         }
     }
 
+    /// When the recording began. With its first sample it begins, and the signals as they stand.
+    fn begin_at(&mut self, at_us: u64) -> u64 {
+        if let Some(begin_us) = self.begin_us {
+            return begin_us;
+        }
+        self.begin_us = Some(at_us);
+        let view = self.tools.robot.view();
+        for signal in &view.borrow().signals {
+            let name = &signal.signal.name;
+            let is_told = self.signals.iter().any(|told| told.name == *name);
+            if let (false, Some(on)) = (is_told, signal.is_on) {
+                let name = name.clone();
+                self.signals.push(SignalEvent { at_us: 0, name, on });
+            }
+        }
+        at_us
+    }
+
+    /// A change of a signal. One before the first sample is part of how the recording began.
+    fn take_signal(&mut self, at_us: u64, name: String, on: bool) {
+        let begin_us = self.begin_us.unwrap_or(u64::MAX);
+        let at_us = at_us.saturating_sub(begin_us);
+        let mut told = self.signals.iter_mut();
+        if let Some(began) = told.find(|told| told.name == name && told.at_us == 0) {
+            if at_us == 0 {
+                began.on = on;
+                return;
+            }
+            // Only changes are told. One to how the signal began means that it was looked at
+            // after this change; and whatever comes after one is no news about the beginning.
+            let is_first = self.signals.iter().filter(|told| told.name == name).count() == 1;
+            if is_first && let Some(began) = self.signals.iter_mut().find(|s| s.name == name) {
+                began.on = !on;
+            }
+        }
+        self.signals.push(SignalEvent { at_us, name, on });
+    }
+
     /// Commits what came in since the last time.
     async fn commit(&mut self) -> Result<(), store::Error> {
-        if self.samples.is_empty() && self.gaps.is_empty() {
+        if self.samples.is_empty() && self.gaps.is_empty() && self.signals.is_empty() {
             return Ok(());
         }
         let new = NewSamples {
             seq: self.seq,
             samples: &self.samples,
             gaps: &self.gaps,
+            signals: &self.signals,
         };
         let demonstration = self.tools.store.append_samples(self.id, new).await?;
         self.seq += 1;
         self.samples.clear();
         self.gaps.clear();
+        self.signals.clear();
         self.tools.events.tell(&demonstration);
         Ok(())
     }
@@ -217,6 +263,7 @@ impl Session {
             seq: self.seq,
             samples: &self.samples,
             gaps: &self.gaps,
+            signals: &self.signals,
         };
         let problem = problem_with(&all);
         let closing = Closing {

@@ -7,18 +7,20 @@ mod record;
 
 use std::sync::Arc;
 
-use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome};
+use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome, SignalSet};
 use tokio::sync::Mutex;
 use tokio::task::JoinHandle;
 
 use crate::clock::SharedClock;
 use crate::events::Events;
 use crate::ids::ReproductionId;
+use crate::planning::PlanError;
 use crate::plans::{KnownPlan, Plans};
 use crate::store::flights::{FlightEvent, NewFlight, Stretch};
 use crate::store::reproductions::{
     NewReproduction, Reproduction, ReproductionResult, ReproductionState,
 };
+use crate::store::signals::RunSignal;
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
 use crate::words::sentence;
@@ -37,6 +39,12 @@ pub enum ReproducingError {
     /// The plan was never made, or was forgotten.
     #[error("this preview is not known any more")]
     PlanUnknown,
+    /// There is no way back.
+    #[error(transparent)]
+    NoWay(#[from] PlanError),
+    /// A computation failed.
+    #[error("the way back could not be worked out")]
+    Crashed(tokio::task::JoinError),
     /// The client's key or identifier was used for another motion.
     #[error("this start was already used for another motion")]
     KeyReused,
@@ -207,6 +215,54 @@ impl Reproducer {
         Ok(tools.store.reproduction(id).await?)
     }
 
+    /// Changes the speed of a running motion, pauses it, or lets it go on.
+    ///
+    /// # Errors
+    /// When it does not run, or the speed is none.
+    pub async fn pace(
+        &self,
+        id: ReproductionId,
+        speed: Option<f64>,
+        paused: Option<bool>,
+    ) -> Result<(), ReproducingError> {
+        let tools = &self.0.tools;
+        if tools.store.reproduction(id).await?.state != ReproductionState::Running {
+            return Err(RobotError::NotRunning.into());
+        }
+        if let Some(speed) = speed {
+            tools.robot.set_speed(speed)?;
+        }
+        if let Some(paused) = paused {
+            tools.robot.set_paused(paused)?;
+        }
+        Ok(())
+    }
+
+    /// Plans the way back of a motion that is over.
+    ///
+    /// # Errors
+    /// When it still runs, its plan is forgotten, or there is no way.
+    pub async fn way_back(&self, id: ReproductionId) -> Result<Arc<KnownPlan>, ReproducingError> {
+        let Inner { tools, plans, .. } = &*self.0;
+        let reproduction = tools.store.reproduction(id).await?;
+        if reproduction.state == ReproductionState::Running {
+            let state = tools.robot.view().borrow().state;
+            return Err(RobotError::Busy { state }.into());
+        }
+        let plan = plans
+            .find(&reproduction.plan)
+            .ok_or(ReproducingError::PlanUnknown)?;
+        let mut stopped_s = 0.0;
+        let mut pages = tools.store.flight(id, Stretch::ALL);
+        while let Some(cycles) = pages.next().await? {
+            stopped_s = cycles.last().map_or(stopped_s, |cycle| cycle.plan_t_s);
+        }
+        let back = tokio::task::spawn_blocking(move || plan.back(stopped_s))
+            .await
+            .map_err(ReproducingError::Crashed)??;
+        Ok(plans.remember(back))
+    }
+
     /// Waits until the last motion's end is stored.
     pub async fn settled(&self) {
         let mut last = self.0.last.lock().await;
@@ -239,8 +295,9 @@ async fn watch(tools: Tools, id: ReproductionId, plan: Arc<KnownPlan>, mut handl
         keeper.keep(chunk).await;
     }
     let end = match handle.outcome.await {
-        Ok(RunOutcome { end, rest }) => {
+        Ok(RunOutcome { end, signals, rest }) => {
             keeper.finish(rest).await;
+            keep_signals(&tools.store, id, signals).await;
             Some(end)
         }
         Err(_) => None,
@@ -271,7 +328,12 @@ async fn judge(
             begins_s: plan.plan.approach_s(),
             stretch: plan.stretch,
         };
-        let measure = measured(store, id, Measure::along(part, &learnt)).await?;
+        let measure = if plan.backwards {
+            Measure::default()
+        } else {
+            Measure::along(part, &learnt)
+        };
+        let measure = measured(store, id, measure).await?;
         let figures =
             tokio::task::spawn_blocking(move || measure.completed(&plan.goal.0, &learnt)).await?;
         return Ok(result(ReproductionState::Succeeded, None, figures));
@@ -289,6 +351,44 @@ async fn judge(
         ),
         None => failed("The connection to the arm was lost.", figures),
     })
+}
+
+async fn keep_signals(store: &Store, id: ReproductionId, set: Vec<SignalSet>) {
+    let kept = match run_signals(store, id, set).await {
+        Ok(signals) => store.add_run_signals(id, &signals).await,
+        Err(error) => Err(error),
+    };
+    if let Err(error) = kept {
+        tracing::error!(reproduction.id = %id, %error, "a reproduction's signals could not be stored");
+    }
+}
+
+/// On the record's clock: when the plan came to each signal, and how late it was set then.
+async fn run_signals(
+    store: &Store,
+    id: ReproductionId,
+    set: Vec<SignalSet>,
+) -> Result<Vec<RunSignal>, store::Error> {
+    let mut left = set.into_iter().peekable();
+    let mut signals = Vec::new();
+    let mut last_us = 0;
+    let place = |signal: SignalSet, due_us: u64| RunSignal {
+        at_us: due_us + (signal.late_s * 1e6).round() as u64,
+        name: signal.name,
+        on: signal.on,
+        late_s: signal.late_s,
+    };
+    let mut pages = store.flight(id, Stretch::ALL);
+    while let Some(cycles) = pages.next().await? {
+        for cycle in cycles {
+            last_us = cycle.at_us;
+            while let Some(signal) = left.next_if(|signal| signal.at_s <= cycle.plan_t_s) {
+                signals.push(place(signal, last_us));
+            }
+        }
+    }
+    signals.extend(left.map(|signal| place(signal, last_us)));
+    Ok(signals)
 }
 
 async fn measured(

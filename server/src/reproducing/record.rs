@@ -106,6 +106,7 @@ fn cycle_of(record: &CycleRecord) -> Cycle {
                 RunPhase::Motion => CyclePhase::Motion,
                 RunPhase::Settling => CyclePhase::Settling,
                 RunPhase::Stopping => CyclePhase::Stopping,
+                RunPhase::Paused => CyclePhase::Paused,
             },
             late: record.late,
             held: record.held,

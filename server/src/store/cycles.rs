@@ -18,15 +18,18 @@ words!(
         Settling = "settling",
         /// Coming to a standstill.
         Stopping = "stopping",
+        /// Standing on the path until it is to go on.
+        Paused = "paused",
     }
 );
 
 /// Phases by the number that stands for them in a chunk. Only ever added to.
-const PHASES: [CyclePhase; 4] = [
+const PHASES: [CyclePhase; 5] = [
     CyclePhase::Approach,
     CyclePhase::Motion,
     CyclePhase::Settling,
     CyclePhase::Stopping,
+    CyclePhase::Paused,
 ];
 
 /// One control cycle of a reproduction.

@@ -6,6 +6,7 @@ use sqlx::{Row, Sqlite, Transaction};
 
 use super::recordings::append;
 use super::samples::Sample;
+use super::signals::{SignalEvent, add_signals};
 use super::text::{parsed, unsigned, words};
 use super::{Error, Result, Store};
 use crate::clock::WallTime;
@@ -118,6 +119,7 @@ impl Store {
         &self,
         new: NewDemonstration,
         samples: &[Sample],
+        signals: &[SignalEvent],
         note: &str,
         now: WallTime,
     ) -> Result<Demonstration> {
@@ -126,6 +128,7 @@ impl Store {
         for (seq, chunk) in samples.chunks(SAMPLES_PER_FILE_CHUNK).enumerate() {
             append(&mut transaction, new.id, seq, chunk).await?;
         }
+        add_signals(&mut transaction, new.id, signals).await?;
         transaction.commit().await?;
         self.demonstration(new.id).await
     }

@@ -15,6 +15,7 @@ mod pairing;
 pub mod recordings;
 pub mod reproductions;
 pub mod samples;
+pub mod signals;
 mod tasks;
 #[cfg(test)]
 mod tests;
@@ -81,7 +82,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 5] = [
+const MIGRATIONS: [(i64, &str, &str); 6] = [
     (
         1,
         "tasks and demonstrations",
@@ -101,6 +102,11 @@ const MIGRATIONS: [(i64, &str, &str); 5] = [
         4,
         "pairing and audit",
         include_str!("../../../migrations/0004_pairing_and_audit.sql"),
+    ),
+    (
+        6,
+        "signals",
+        include_str!("../../../migrations/0006_signals.sql"),
     ),
     (
         7,

@@ -4,6 +4,7 @@ use sqlx::{Row, Sqlite, Transaction};
 
 use super::demonstrations::{Demonstration, DemonstrationState, WHAT, from_row};
 use super::samples::{Sample, columns, decode_samples, encode_samples};
+use super::signals::{SignalEvent, add_signals};
 use super::text::unsigned;
 use super::{Error, Result, Store};
 use crate::ids::DemonstrationId;
@@ -26,6 +27,8 @@ pub struct NewSamples<'a> {
     pub samples: &'a [Sample],
     /// Stretches without samples.
     pub gaps: &'a [Gap],
+    /// What was done with signals.
+    pub signals: &'a [SignalEvent],
 }
 
 /// How a recording ends.
@@ -49,6 +52,7 @@ impl Store {
         let mut transaction = self.begin().await?;
         append(&mut transaction, id, last.seq, last.samples).await?;
         add_gaps(&mut transaction, id, last.gaps).await?;
+        add_signals(&mut transaction, id, last.signals).await?;
         transaction.commit().await?;
         self.demonstration(id).await
     }
@@ -83,6 +87,7 @@ impl Store {
         }
         append(&mut transaction, id, last.seq, last.samples).await?;
         add_gaps(&mut transaction, id, last.gaps).await?;
+        add_signals(&mut transaction, id, last.signals).await?;
         transaction.commit().await?;
         self.demonstration(id).await
     }

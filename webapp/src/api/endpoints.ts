@@ -68,6 +68,9 @@ export const setLeadThrough = (active: boolean) =>
   request<unknown>("POST", "/robot/lead-through", { body: { active } });
 export const returnVirtualHand = (script: HandScript, seed: number) =>
   request<unknown>("POST", "/robot/virtual-hand", { body: { action: "return", script, seed } });
+/** `signal` is the name as it stands in an address. */
+export const setSignal = (signal: string, on: boolean) =>
+  request<unknown>("POST", `/robot/signals/${signal}`, { body: { on } });
 
 export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", { body });
 export const startReproduction = (id: string, plan: string) =>

@@ -65,9 +65,25 @@ export interface TaskAgreement {
   problem?: Failure | null;
 }
 
+/** A signal on a time line. */
+export interface SignalMark {
+  name: string;
+  at_s: number;
+  on: boolean;
+}
+
+/** A signal that a motion has set. */
+export interface RunSignalMark {
+  name: string;
+  at_s: number;
+  on: boolean;
+  late_s: number;
+}
+
 export interface Trajectory {
   t_s: number[];
   joints_deg: number[][];
+  signals: SignalMark[];
 }
 
 export interface Failure {
@@ -170,6 +186,7 @@ export interface Plan {
   verdict: string;
   t_s: number[];
   joints_deg: number[][];
+  signals: SignalMark[];
 }
 
 export interface Reproduction {
@@ -225,6 +242,7 @@ export interface Flight {
   late: number[];
   held: number[];
   limited: number[];
+  signals: RunSignalMark[];
 }
 
 export interface FlightEvent {
@@ -236,6 +254,17 @@ export interface FlightEvent {
 export type RobotState =
   "disconnected" | "idle" | "guiding" | "reproducing" | "stopping" | "faulted";
 
+/** A signal that may be worked: a gripper, a vacuum. */
+export interface SignalAnswer {
+  name: string;
+  label: string;
+  /** What setting it does, as a verb: "close". */
+  on: string;
+  /** What resetting it does: "open". */
+  off: string;
+  is_on?: boolean | null;
+}
+
 export interface RobotView {
   kind: "virtual" | "none";
   state: RobotState;
@@ -245,10 +274,13 @@ export interface RobotView {
   hand?: "idle" | "returning" | "showing" | null;
   fault?: Failure | null;
   run?: {
-    phase: "approach" | "motion" | "settling" | "stopping";
+    phase: "approach" | "motion" | "paused" | "settling" | "stopping";
+    speed: number;
+    paused: boolean;
     t_s: number;
     duration_s: number;
   } | null;
+  signals: SignalAnswer[];
 }
 
 /** What the server sends on the live socket. */

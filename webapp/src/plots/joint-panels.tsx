@@ -25,11 +25,13 @@ interface Props {
   bandDeg?: number[][];
   /** Where the motion proper begins: a vertical line. */
   markS?: number;
+  /** Where signals are worked: vertical lines of their own. */
+  signalsS?: number[];
   /** A time that moves: a second line. */
   cursor?: ReadonlySignal<number>;
 }
 
-export function JointPanels({ title, timesS, layers, bandDeg, markS, cursor }: Props) {
+export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS, cursor }: Props) {
   const main = layers[0]?.joints ?? [];
   return (
     <figure class="panels">
@@ -37,7 +39,7 @@ export function JointPanels({ title, timesS, layers, bandDeg, markS, cursor }: P
       {layers.length > 1 && <Legend layers={layers} />}
       <div class="panel-grid" role="img" aria-label={sentence(title, timesS, main)}>
         {main.map((_, joint) => (
-          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, cursor, joint }} />
+          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, signalsS, cursor, joint }} />
         ))}
       </div>
       <NumbersTable caption={title} joints={main} />
@@ -50,11 +52,12 @@ interface PanelProps {
   layers: Layer[];
   bandDeg: number[][] | undefined;
   markS: number | undefined;
+  signalsS: number[] | undefined;
   cursor: ReadonlySignal<number> | undefined;
   joint: number;
 }
 
-function Panel({ timesS, layers, bandDeg, markS, cursor, joint }: PanelProps) {
+function Panel({ timesS, layers, bandDeg, markS, signalsS, cursor, joint }: PanelProps) {
   const band = bandDeg?.[joint];
   const data = useMemo<uPlot.AlignedData>(() => {
     const lines = layers.map((layer) => layer.joints[joint] ?? []);
@@ -64,7 +67,7 @@ function Panel({ timesS, layers, bandDeg, markS, cursor, joint }: PanelProps) {
       : [];
     return [timesS, ...edges, ...lines];
   }, [timesS, layers, band, joint]);
-  const options = () => panelOptions(layers, band !== undefined, markS, cursor);
+  const options = () => panelOptions(layers, band !== undefined, markS, signalsS, cursor);
   const onReady = useCursor(cursor);
   const summary = summarise(layers[0]?.joints[joint] ?? []);
   return (
@@ -82,6 +85,7 @@ function panelOptions(
   layers: Layer[],
   banded: boolean,
   markS: number | undefined,
+  signalsS: number[] = [],
   cursor: ReadonlySignal<number> | undefined,
 ) {
   const edge: uPlot.Series = { stroke: "transparent", points: { show: false } };
@@ -109,6 +113,7 @@ function panelOptions(
   if (banded) options.bands = [{ series: [1, 2], fill: colour("plot-band") }];
   const drawLines = (plot: uPlot) => {
     if (markS !== undefined) drawLine(plot, markS, colour("plot-axis"), [2, 4]);
+    signalsS.forEach((atS) => drawLine(plot, atS, colour("plot-axis"), []));
     if (cursor) drawLine(plot, cursor.peek(), colour("text"), []);
   };
   options.hooks = { draw: [drawLines] };

@@ -6,6 +6,7 @@ const view = (state: RobotView["state"], ageMs = 20): RobotView => ({
   kind: "virtual",
   state,
   age_ms: ageMs,
+  signals: [],
 });
 
 test("fresh data is shown with its state", () => {

@@ -8,6 +8,7 @@ export const flight = {
   phases: {
     approach: "Going to the start",
     motion: "Doing the motion",
+    paused: "Paused",
     settling: "Coming to rest",
     stopping: "Stopping",
   } as Record<string, string>,

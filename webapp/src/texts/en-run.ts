@@ -47,6 +47,7 @@ export const run = {
   phases: {
     approach: "Going to the start",
     motion: "Doing the motion",
+    paused: "Paused",
     settling: "Coming to rest",
     stopping: "Stopping",
     waiting: "Waiting for the robot",

@@ -2,12 +2,14 @@
 import { flight } from "./en-flight";
 import { robot } from "./en-robot";
 import { run } from "./en-run";
+import { signals } from "./en-signals";
 import { teach } from "./en-teach";
 
 export const en = {
   flight,
   robot,
   run,
+  signals,
   teach,
   app: {
     name: "TEAM",

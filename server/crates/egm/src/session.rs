@@ -11,18 +11,21 @@
 //! - The first reference of a session is the measured pose, at rest.
 //! - While the controller does not apply references (motors off, program stopped, an error, pure
 //!   streaming), the reference follows the measured pose, so that nothing jumps when it begins to.
-//! - Setpoints are refused until somebody arms the session, and from the moment on when anything
-//!   about it looks odd.
+//! - Setpoints are refused until somebody arms the session. When anything about an armed session
+//!   looks odd it must be brought to rest: setpoints go through for a moment longer, because to
+//!   stand still at once would be a jolt, and are refused from then on.
+//! - While a session is armed, another address cannot take it over before it has fallen silent.
 
 mod elapsed;
+mod live;
 mod types;
 
 pub use types::{Answer, Beginning, Counters, Hold, Received, SessionConfig};
 
 use crate::header::{ControllerTime, SequenceNumber};
-use crate::messages::{MciState, MessageType, MotorState, RapidExecState};
+use crate::messages::{MciState, MotorState, RapidExecState};
 use crate::wire::{Correction, RobotFeedback};
-use elapsed::Elapsed;
+use live::{Complete, Live, at_rest};
 use motion::plan::Setpoint;
 use motion::{JointAngles, JointVelocities};
 use std::net::SocketAddr;
@@ -33,23 +36,17 @@ pub struct Session {
     config: SessionConfig,
     counters: Counters,
     live: Option<Live>,
+    visitor: Option<Visitor>,
 }
 
-/// A session that has begun.
-#[derive(Debug, Clone)]
-struct Live {
+/// Whom the newest message came from and what it is told.
+#[derive(Debug, Clone, Copy)]
+struct Visitor {
     source: SocketAddr,
-    began_us: u64,
-    last_arrival_us: u64,
-    last_sequence: SequenceNumber,
-    elapsed: Elapsed,
     measured: JointAngles,
-    reference: Setpoint,
-    may_be_commanded: bool,
-    armed: bool,
     next_answer: SequenceNumber,
-    /// What is wrong with the newest message, if anything.
-    hold: Option<Hold>,
+    /// The newest message is the visitor's.
+    waits: bool,
 }
 
 impl Session {
@@ -60,6 +57,7 @@ impl Session {
             config,
             counters: Counters::default(),
             live: None,
+            visitor: None,
         }
     }
 
@@ -94,10 +92,18 @@ impl Session {
         }
     }
 
+    /// Whether the newest message came from someone who is no part of the session: the next answer
+    /// is for them, and no setpoint goes into it.
+    #[must_use]
+    pub fn is_visited(&self) -> bool {
+        self.visitor.is_some_and(|visitor| visitor.waits)
+    }
+
     /// Refuses setpoints from the next answer on; the reference stays where it is.
     pub fn disarm(&mut self) {
         if let Some(live) = &mut self.live {
             live.armed = false;
+            live.brakes_for_us = None;
         }
     }
 
@@ -110,51 +116,73 @@ impl Session {
         source: SocketAddr,
     ) -> Option<Received> {
         self.counters.cycles += 1;
+        if let Some(visitor) = &mut self.visitor {
+            visitor.waits = false;
+        }
         let complete = Complete::of(feedback);
         let began = self.beginning(complete.as_ref(), arrival_us, source);
         if let Some(beginning) = began {
             self.live = None;
+            self.visitor = None;
             let complete = complete.as_ref()?;
             self.counters.sessions += 1;
             self.live = Some(Live::begin(complete, feedback, arrival_us, source));
             return self.received(Some(beginning), feedback, 0, false);
         }
 
-        let live = self.live.as_mut().filter(|live| live.source == source)?;
+        let live = self.live.as_mut()?;
+        let moved = live.source != source;
+        if moved {
+            let complete = complete.as_ref()?;
+            if !live.is_continued_by(complete, &self.config) {
+                live.refuse(Hold::Stranger, &self.config);
+                self.visit(complete, source);
+                return self.received(None, feedback, 0, false);
+            }
+            live.source = source;
+        }
         let waited_us = arrival_us.saturating_sub(live.last_arrival_us);
         let late = waited_us > self.config.late_after_us;
         self.counters.late += u64::from(late);
         live.last_arrival_us = live.last_arrival_us.max(arrival_us);
-        let mut lost = 0;
-        live.hold = match &complete {
-            None => {
-                live.armed = false;
-                Some(Hold::Incomplete)
-            }
-            Some(complete) => {
-                let steps = complete.sequence.steps_since(live.last_sequence);
-                lost = u32::try_from(steps - 1).unwrap_or(0);
-                self.counters.lost += u64::from(lost);
-                self.counters.repeated += u64::from(steps == 0);
-                live.last_sequence = complete.sequence;
-                live.measured = complete.measured;
-                live.elapsed.advance(feedback, waited_us);
-                None
-            }
-        };
-        live.see_states(feedback);
-        self.received(None, feedback, lost, late)
+        let lost = live.take_in(complete, feedback, waited_us, &self.config);
+        if moved {
+            live.refuse(Hold::Moved, &self.config);
+        }
+        self.counters.lost += u64::from(lost.unwrap_or(0));
+        self.counters.repeated += u64::from(lost.is_none());
+        self.received(None, feedback, lost.unwrap_or(0), late)
     }
 
     /// The answer to the newest message, given the setpoint that somebody would like to send.
     /// Nothing when no session runs.
+    ///
+    /// A visitor is told its own pose, whatever the wish.
     pub fn answer(&mut self, wish: Option<&Setpoint>, now_ms: ControllerTime) -> Option<Answer> {
+        if let Some(visitor) = self.visitor.as_mut().filter(|visitor| visitor.waits) {
+            visitor.waits = false;
+            let sequence = visitor.next_answer;
+            visitor.next_answer = sequence.next();
+            return Some(Answer {
+                correction: Correction {
+                    sequence,
+                    sent_at: now_ms,
+                    joints: visitor.measured,
+                    velocities: JointVelocities::ZERO,
+                },
+                held: Some(Hold::Stranger),
+            });
+        }
         let live = self.live.as_mut()?;
         let elapsed_us = live.elapsed.take(self.config.max_advance_us);
+        live.brakes_for_us = live
+            .brakes_for_us
+            .and_then(|left_us| left_us.checked_sub(elapsed_us));
         let verdict = match wish {
-            _ if live.hold.is_some() => Err(live.hold.unwrap_or(Hold::Incomplete)),
             _ if !live.may_be_commanded => Err(Hold::NotApplied),
-            _ if !live.armed => Err(Hold::NotArmed),
+            _ if !live.armed && live.brakes_for_us.is_none() => {
+                Err(live.hold.unwrap_or(Hold::NotArmed))
+            }
             None => Err(Hold::NoSetpoint),
             Some(wish) => live.check(wish, elapsed_us, &self.config).map(|()| *wish),
         };
@@ -164,6 +192,7 @@ impl Session {
         };
         if matches!(verdict, Err(Hold::NotFinite | Hold::Jump)) {
             live.armed = false;
+            live.brakes_for_us = None;
             self.counters.refused += 1;
         }
         let sequence = live.next_answer;
@@ -197,11 +226,14 @@ impl Session {
         let Some(live) = &self.live else {
             return Some(Beginning::First);
         };
+        let silent = arrival_us.saturating_sub(live.last_arrival_us) > self.config.timeout_us;
         if live.source != source {
-            // Anyone can send bytes to our port; only a robot's message takes the session over.
-            return complete.map(|_| Beginning::SourceChanged);
+            // Anyone can send bytes to our port; only a robot's message takes a session over,
+            // and only one that nobody relies on.
+            let free = silent || !live.is_guided();
+            return complete.filter(|_| free).map(|_| Beginning::SourceChanged);
         }
-        if arrival_us.saturating_sub(live.last_arrival_us) > self.config.timeout_us {
+        if silent {
             return Some(Beginning::Silence);
         }
         let sequence = complete?.sequence;
@@ -214,9 +246,24 @@ impl Session {
         match steps {
             _ if sequence == SequenceNumber(0) => Some(Beginning::Restarted),
             0 => None,
+            // A single message out of order, or a gap, is no reason to let go of a moving arm.
+            _ if live.is_guided() => None,
             ..0 => Some(Beginning::WentBack),
             1.. => Some(Beginning::SequenceJumped),
         }
+    }
+
+    fn visit(&mut self, complete: &Complete, source: SocketAddr) {
+        let next_answer = self
+            .visitor
+            .filter(|visitor| visitor.source == source)
+            .map_or(SequenceNumber(0), |visitor| visitor.next_answer);
+        self.visitor = Some(Visitor {
+            source,
+            measured: complete.measured,
+            next_answer,
+            waits: true,
+        });
     }
 
     fn received(
@@ -234,97 +281,13 @@ impl Session {
             mci_error: feedback.mci_state == Some(MciState::Error),
             motors_on: feedback.motor_state == Some(MotorState::MotorsOn),
             hold: live.hold,
+            brakes: live.brakes_for_us.is_some(),
             lost,
             late,
             rapid_running: feedback.rapid_exec_state == Some(RapidExecState::Running),
             utilization_percent: feedback.utilization_rate,
             session_age_us: live.last_arrival_us.saturating_sub(live.began_us),
         })
-    }
-}
-
-impl Live {
-    fn begin(
-        complete: &Complete,
-        feedback: &RobotFeedback,
-        arrival_us: u64,
-        source: SocketAddr,
-    ) -> Self {
-        let mut live = Self {
-            source,
-            began_us: arrival_us,
-            last_arrival_us: arrival_us,
-            last_sequence: complete.sequence,
-            elapsed: Elapsed::begin(feedback),
-            measured: complete.measured,
-            reference: at_rest(complete.measured),
-            may_be_commanded: false,
-            armed: false,
-            next_answer: SequenceNumber(0),
-            hold: None,
-        };
-        live.see_states(feedback);
-        live
-    }
-
-    /// After a restart of the controller the program's state may stay undefined although it
-    /// runs, therefore undefined counts as running. While nothing is applied the reference
-    /// follows the arm.
-    fn see_states(&mut self, feedback: &RobotFeedback) {
-        let rapid_may_run = !matches!(feedback.rapid_exec_state, Some(RapidExecState::Stopped));
-        self.may_be_commanded = feedback.motor_state == Some(MotorState::MotorsOn)
-            && feedback.mci_state == Some(MciState::Running)
-            && feedback.rapid_exec_state.is_some()
-            && rapid_may_run;
-        if !self.may_be_commanded {
-            self.armed = false;
-            self.reference = at_rest(self.measured);
-        }
-    }
-
-    /// The last line of defence: what is checked here should never fail, because the setpoint
-    /// went through the gate, the player and the limiter before.
-    fn check(&self, wish: &Setpoint, elapsed_us: u64, config: &SessionConfig) -> Result<(), Hold> {
-        if !wish.joints.is_finite() || !wish.velocities.is_finite() {
-            return Err(Hold::NotFinite);
-        }
-        let elapsed_s = elapsed_us as f64 * 1e-6;
-        let moves = wish.joints.0.iter().zip(&self.reference.joints.0);
-        let too_far = moves
-            .zip(&config.max_speed_deg_s)
-            .any(|((to, from), max)| (to - from).abs() > config.largest_step_deg(*max, elapsed_s));
-        let too_fast = wish
-            .velocities
-            .0
-            .iter()
-            .zip(&config.max_speed_deg_s)
-            .any(|(speed, max)| speed.abs() > max * (1.0 + SessionConfig::MARGIN));
-        if too_far || too_fast {
-            return Err(Hold::Jump);
-        }
-        Ok(())
-    }
-}
-
-/// What a message must hold to be of any use.
-struct Complete {
-    sequence: SequenceNumber,
-    measured: JointAngles,
-}
-
-impl Complete {
-    fn of(feedback: &RobotFeedback) -> Option<Self> {
-        let from_robot = feedback.message_type == Some(MessageType::Data);
-        let measured = feedback.feedback.filter(JointAngles::is_finite)?;
-        let sequence = feedback.sequence?;
-        from_robot.then_some(Self { sequence, measured })
-    }
-}
-
-fn at_rest(joints: JointAngles) -> Setpoint {
-    Setpoint {
-        joints,
-        velocities: JointVelocities::ZERO,
     }
 }
 

@@ -62,6 +62,15 @@ pub fn align(
     rate_hz: f64,
     step: &mut dyn FnMut(usize, usize) -> Result<(), Error>,
 ) -> Result<Aligned, Error> {
+    align_with_clocks(demonstrations, rate_hz, step).map(|(aligned, _)| aligned)
+}
+
+/// The same with each demonstration's own time (on its own clock) at each common time.
+pub fn align_with_clocks(
+    demonstrations: &[Demonstration],
+    rate_hz: f64,
+    step: &mut dyn FnMut(usize, usize) -> Result<(), Error>,
+) -> Result<(Aligned, Vec<Vec<f64>>), Error> {
     let longest = demonstrations.iter().map(|d| d.joints_deg().len()).max();
     let stride = longest.unwrap_or(0).div_ceil(MOST_SAMPLES).max(1);
     let thinned = |path: &Path| Path::from_rows(path.width(), path.rows().step_by(stride));
@@ -92,27 +101,36 @@ pub fn align(
         .copied()
         .collect();
     let mut joints_deg = Vec::with_capacity(m);
+    let mut clocks = Vec::with_capacity(m);
     for (i, demonstration) in demonstrations.iter().enumerate() {
-        let on_axis = if i == reference {
-            thinned(demonstration.joints_deg())
+        let own_s = Path::from_rows(1, demonstration.times_s().iter().map(|t| [*t]));
+        let (on_axis, clock) = if i == reference {
+            (thinned(demonstration.joints_deg()), thinned(&own_s))
         } else {
             let warping = dtw::warp(&signals[reference], &signals[i], PSI);
             done += 1;
             step(done, total.max(1))?;
-            carry_over(&thinned(demonstration.joints_deg()), &warping, times.len())
+            let carried = |path: &Path| carry_over(&thinned(path), &warping, times.len());
+            (carried(demonstration.joints_deg()), carried(&own_s))
         };
         joints_deg.push(on_axis);
+        clocks.push(clock);
     }
     let times: Vec<f64> = times.iter().map(|t| t - times[0]).collect();
     let t_s = even_times(times[times.len() - 1], rate_hz);
-    Ok(Aligned {
+    let clocks_s = clocks
+        .iter()
+        .map(|clock| interpolate(&times, clock, &t_s).column(0))
+        .collect();
+    let aligned = Aligned {
         reference,
         joints_deg: joints_deg
             .iter()
             .map(|path| interpolate(&times, path, &t_s))
             .collect(),
         t_s,
-    })
+    };
+    Ok((aligned, clocks_s))
 }
 
 /// Index of the smallest row sum; the first one when several are equal.

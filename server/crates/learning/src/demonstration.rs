@@ -5,7 +5,11 @@ use std::ops::RangeInclusive;
 use motion::{JOINTS, JointAngles, kinematics, limits::RobotLimits};
 use sha2::{Digest, Sha256};
 
-use crate::{Error, path::Path};
+use crate::{
+    Error,
+    path::Path,
+    signals::{self, SignalEvent},
+};
 
 /// Most samples of one demonstration (an hour at 100 Hz).
 pub const MAX_SAMPLES: usize = 360_000;
@@ -24,6 +28,7 @@ pub struct Demonstration {
     times_s: Vec<f64>,
     joints_deg: Path,
     tcp_mm: Option<Vec<[f64; 3]>>,
+    signals: Vec<SignalEvent>,
 }
 
 impl Demonstration {
@@ -83,7 +88,18 @@ impl Demonstration {
             times_s,
             joints_deg,
             tcp_mm,
+            signals: Vec::new(),
         })
+    }
+
+    /// The same demonstration with the signals that were worked in it, in any order; an
+    /// event at the first sample's time says how a signal stood at the beginning.
+    ///
+    /// Errors: [`Error::BadSignal`] for an event outside the recording or without a name.
+    pub fn with_signals(self, events: Vec<SignalEvent>) -> Result<Demonstration, Error> {
+        let (first_s, last_s) = (self.times_s[0], self.times_s[self.len() - 1]);
+        let signals = signals::checked(&self.name, events, first_s, last_s)?;
+        Ok(Demonstration { signals, ..self })
     }
 
     /// Name by which people know it, such as a file name or "take 3".
@@ -119,6 +135,16 @@ impl Demonstration {
     /// Recorded positions of tool0, if any, mm.
     pub fn recorded_tcp_mm(&self) -> Option<&[[f64; 3]]> {
         self.tcp_mm.as_deref()
+    }
+
+    /// The signals' events in the order of time.
+    pub fn signals(&self) -> &[SignalEvent] {
+        &self.signals
+    }
+
+    /// The events that change a signal after the beginning.
+    pub fn signal_changes(&self) -> Vec<&SignalEvent> {
+        signals::changes(&self.signals, self.times_s[0])
     }
 
     /// Length of the recording, seconds.
@@ -163,7 +189,7 @@ impl Demonstration {
             .collect()
     }
 
-    /// SHA-256 over times and joint angles, in hex: the lineage of a model.
+    /// SHA-256 over times, joint angles and signals, in hex: the lineage of a model.
     pub fn hash(&self) -> String {
         let mut digest = Sha256::new();
         digest.update((self.joints() as u64).to_le_bytes());
@@ -172,6 +198,12 @@ impl Demonstration {
             for q in self.joints_deg.row(i) {
                 digest.update(q.to_le_bytes());
             }
+        }
+        for event in &self.signals {
+            digest.update((event.name.len() as u64).to_le_bytes());
+            digest.update(event.name.as_bytes());
+            digest.update(event.at_s.to_le_bytes());
+            digest.update([u8::from(event.on)]);
         }
         digest
             .finalize()

@@ -127,6 +127,28 @@ pub enum Error {
         /// Names, grouped by the motion they show.
         groups: [Vec<String>; 2],
     },
+    /// An event of a signal that cannot be one.
+    #[error("{name}: event {row} of the signals cannot be used: {reason}")]
+    BadSignal {
+        /// Name of the demonstration.
+        name: String,
+        /// Which event, from 1.
+        row: usize,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The demonstrations work the signals differently.
+    #[error("{name} works the signals differently ({does}) from {other} ({other_does})")]
+    SignalsDiffer {
+        /// Name of the demonstration that differs.
+        name: String,
+        /// What it does, in words.
+        does: String,
+        /// A demonstration to compare with.
+        other: String,
+        /// What that one does, in words.
+        other_does: String,
+    },
     /// The mixture cannot be fitted.
     #[error("no mixture could be fitted: {reason}")]
     MixtureFailed {
@@ -186,6 +208,8 @@ impl Error {
             Error::NoDemonstrations => "no_demonstrations",
             Error::TooManyDemonstrations { .. } => "too_many_demonstrations",
             Error::DifferentMotions { .. } => "demonstrations_different_motions",
+            Error::BadSignal { .. } => "demonstration_signal_bad",
+            Error::SignalsDiffer { .. } => "signals_differ",
             Error::MixtureFailed { .. } => "mixture_failed",
             Error::BadTarget { .. } => "bad_target",
             Error::BadModel { .. } => "bad_model",
@@ -214,6 +238,17 @@ impl Error {
                 demonstration: Some(name.clone()),
                 field: Some(what.clone()),
                 row: Some(*row),
+                ..Location::default()
+            },
+            Error::BadSignal { name, row, .. } => Location {
+                demonstration: Some(name.clone()),
+                field: Some("signals".into()),
+                row: Some(*row),
+                ..Location::default()
+            },
+            Error::SignalsDiffer { name, .. } => Location {
+                demonstration: Some(name.clone()),
+                field: Some("signals".into()),
                 ..Location::default()
             },
             Error::TimeNotIncreasing { name, row, .. } => Location {
@@ -262,6 +297,10 @@ impl Error {
             Error::TooManyDemonstrations { .. } => "Keep the best ones and discard the others.",
             Error::DifferentMotions { .. } => {
                 "Keep only takes of one motion in a task; make a second task for the other motion."
+            }
+            Error::BadSignal { .. } => "The file is damaged. Record this take again, or remove it.",
+            Error::SignalsDiffer { .. } => {
+                "Discard this take, or record it again and work the gripper as in the others."
             }
             Error::MixtureFailed { .. } => "Record one more take and train again.",
             Error::BadTarget { .. } => "Give one angle in degrees for each joint.",

@@ -8,6 +8,7 @@ use crate::{
     dmp::{Extent, MovementPrimitive},
     mixture::Mixture,
     regression::{Course, Regression},
+    signals::{self, ModelSignal},
 };
 
 /// Marks model files.
@@ -31,6 +32,9 @@ pub struct Model {
     pub course: Course,
     /// The spring that reproduces the motion.
     pub primitive: MovementPrimitive,
+    /// The signals that are worked on the way, in the order of time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub signals: Vec<ModelSignal>,
 }
 
 /// Units of the file, for whoever reads it without this program.
@@ -64,7 +68,12 @@ impl Model {
             mixture,
             course,
             primitive,
+            signals: Vec::new(),
         }
+    }
+
+    pub(crate) fn with_signals(self, signals: Vec<ModelSignal>) -> Model {
+        Model { signals, ..self }
     }
 
     /// Reads a model file and checks that it can be used.
@@ -114,6 +123,7 @@ impl Model {
             return Err("the mixture's parts do not fit together".into());
         }
         self.course.check(d)?;
+        signals::check_model(&self.signals)?;
         if self.mixture.covariances.iter().any(|c| !positive(c[0][0])) {
             return Err("a component of the mixture has no extent in time".into());
         }

@@ -37,6 +37,26 @@ impl Course {
         }
     }
 
+    /// How far the learned motion is when the demonstrations' common clock shows `t_s`,
+    /// as a share of its duration, 0 to 1.
+    pub(crate) fn phase_at(&self, t_s: f64) -> f64 {
+        let Some(ends) = &self.ends else {
+            return (t_s / self.motion_s).clamp(0.0, 1.0);
+        };
+        // The eased clock never goes back, so halving finds the moment.
+        let whole_s = self.motion_s + ends.ease_s;
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if ends.demonstrated_time_s(middle * whole_s, self.motion_s) < t_s {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+
     pub(crate) fn check(&self, joints: usize) -> Result<(), String> {
         let positive = |value: f64| value.is_finite() && value > 0.0;
         if !positive(self.motion_s) || !positive(self.rate_hz) || self.motion_s * self.rate_hz > 1e6

@@ -14,6 +14,7 @@ use crate::{
     report::{self, Lineage, NoiseFigures},
     rng::Stream,
     selection::Stability,
+    signals,
     statistics::mean,
 };
 use encoding::Encoding;
@@ -91,7 +92,8 @@ pub fn train(
         encoding.mixture,
         encoding.course,
         primitive,
-    ))
+    )
+    .with_signals(encoding.signals))
 }
 
 /// The motion that the demonstrations have in common, by the method of `params`.
@@ -122,7 +124,7 @@ fn check(demonstrations: &[Demonstration]) -> Result<(), Error> {
             expected: first.joints(),
             found: other.joints(),
         }),
-        None => Ok(()),
+        None => signals::check_same(demonstrations),
     }
 }
 

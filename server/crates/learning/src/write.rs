@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Demonstration, read};
+use crate::{Demonstration, SignalEvent, read};
 
 #[derive(Serialize)]
 struct Own<'a> {
@@ -14,6 +14,8 @@ struct Own<'a> {
     joints_deg: Vec<&'a [f64]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     tcp_mm: Option<&'a [[f64; 3]]>,
+    #[serde(skip_serializing_if = "<[SignalEvent]>::is_empty")]
+    signals: &'a [SignalEvent],
 }
 
 #[derive(Serialize)]
@@ -37,6 +39,7 @@ pub fn to_json(demonstration: &Demonstration) -> String {
         t_s: demonstration.times_s(),
         joints_deg: demonstration.joints_deg().rows().collect(),
         tcp_mm: demonstration.recorded_tcp_mm(),
+        signals: demonstration.signals(),
     };
     // Finite numbers and strings always serialise.
     serde_json::to_string(&own).unwrap_or_default()

@@ -3,7 +3,7 @@
 //! all rely on this one check.
 
 use crate::limits::RobotLimits;
-use crate::plan::{Plan, Setpoint};
+use crate::plan::{Plan, PlanSignal, Setpoint};
 use crate::{JOINTS, JointAngles, JointVelocities, kinematics};
 
 /// Longest motion that is accepted, samples (one hour at 4 ms).
@@ -19,6 +19,8 @@ pub struct ProposedMotion {
     pub approach_samples: usize,
     /// The samples.
     pub joints: Vec<JointAngles>,
+    /// Signals that are set on the way, in the order of time.
+    pub signals: Vec<PlanSignal>,
 }
 
 /// What the gate saw of a motion.
@@ -69,6 +71,14 @@ pub enum Refusal {
     /// Fewer than two or too many samples, or a period that is not a time.
     #[error("the motion has no usable samples")]
     Malformed,
+    /// A signal without a name, at no time of the motion, or out of order.
+    #[error("signal {name:?} cannot be set at {at_s} s of this motion")]
+    SignalMisplaced {
+        /// Its name.
+        name: String,
+        /// When it would be set, seconds from the first sample.
+        at_s: f64,
+    },
     /// A sample is NaN or infinite.
     #[error("joint {} is not a number at {t_s:.2} s", joint + 1)]
     NotFinite {
@@ -102,6 +112,7 @@ impl Refusal {
     pub fn code(&self) -> &'static str {
         match self {
             Refusal::Malformed => "motion_malformed",
+            Refusal::SignalMisplaced { .. } => "signal_misplaced",
             Refusal::NotFinite { .. } => "motion_not_finite",
             Refusal::OutsideRange { .. } => "outside_joint_range",
             Refusal::TooQuick(_) => "motion_too_quick",
@@ -113,7 +124,7 @@ impl Refusal {
         match self {
             Refusal::NotFinite { joint, .. } | Refusal::OutsideRange { joint, .. } => Some(*joint),
             Refusal::TooQuick(breach) => breach.quantity.joint(),
-            Refusal::Malformed => None,
+            Refusal::Malformed | Refusal::SignalMisplaced { .. } => None,
         }
     }
 }
@@ -181,7 +192,12 @@ pub fn approve(motion: &ProposedMotion, limits: &RobotLimits) -> Result<Plan, Re
             },
         })
         .collect();
-    Ok(Plan::new(motion.period_s, motion.approach_samples, samples))
+    Ok(Plan::new(
+        motion.period_s,
+        motion.approach_samples,
+        samples,
+        motion.signals.clone(),
+    ))
 }
 
 /// Looks at a motion. Errors are what no slowing down can mend; a motion that is
@@ -193,6 +209,7 @@ pub fn inspect(motion: &ProposedMotion, limits: &RobotLimits) -> Result<Inspecti
         return Err(Refusal::Malformed);
     }
     check_positions(motion, limits)?;
+    check_signals(motion)?;
 
     let mut worst = Worst::default();
     let mut peak_joint_speed_deg_s = [0.0; JOINTS];
@@ -276,6 +293,21 @@ fn check_positions(motion: &ProposedMotion, limits: &RobotLimits) -> Result<(), 
                 limit_deg,
             });
         }
+    }
+    Ok(())
+}
+
+fn check_signals(motion: &ProposedMotion) -> Result<(), Refusal> {
+    let duration_s = (motion.joints.len() - 1) as f64 * motion.period_s;
+    let mut earliest_s = 0.0;
+    for signal in &motion.signals {
+        if signal.name.is_empty() || !(earliest_s..=duration_s).contains(&signal.at_s) {
+            return Err(Refusal::SignalMisplaced {
+                name: signal.name.clone(),
+                at_s: signal.at_s,
+            });
+        }
+        earliest_s = signal.at_s;
     }
     Ok(())
 }

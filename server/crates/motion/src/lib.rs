@@ -11,6 +11,7 @@ pub mod gate;
 pub mod kinematics;
 pub mod limits;
 pub mod minimum_jerk;
+pub mod path_speed;
 pub mod plan;
 pub mod spline;
 mod units;

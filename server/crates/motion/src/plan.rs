@@ -14,6 +14,17 @@ pub struct Setpoint {
     pub velocities: JointVelocities,
 }
 
+/// A signal that is set on the way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanSignal {
+    /// The controller's name of the signal.
+    pub name: String,
+    /// When, seconds from the first sample.
+    pub at_s: f64,
+    /// The value from then on.
+    pub on: bool,
+}
+
 /// An approved motion: equally spaced samples, at rest at both ends.
 ///
 /// Only [`crate::gate::approve`] makes one, so that holding a `Plan` means that
@@ -23,11 +34,17 @@ pub struct Plan {
     period_s: f64,
     approach_samples: usize,
     samples: Vec<Setpoint>,
+    signals: Vec<PlanSignal>,
     hash: String,
 }
 
 impl Plan {
-    pub(crate) fn new(period_s: f64, approach_samples: usize, samples: Vec<Setpoint>) -> Plan {
+    pub(crate) fn new(
+        period_s: f64,
+        approach_samples: usize,
+        samples: Vec<Setpoint>,
+        signals: Vec<PlanSignal>,
+    ) -> Plan {
         let mut digest = Sha256::new();
         digest.update(period_s.to_le_bytes());
         digest.update((approach_samples as u64).to_le_bytes());
@@ -35,6 +52,12 @@ impl Plan {
             for value in sample.joints.0.iter().chain(&sample.velocities.0) {
                 digest.update(value.to_le_bytes());
             }
+        }
+        for signal in &signals {
+            digest.update((signal.name.len() as u64).to_le_bytes());
+            digest.update(signal.name.as_bytes());
+            digest.update(signal.at_s.to_le_bytes());
+            digest.update([u8::from(signal.on)]);
         }
         let hash = digest
             .finalize()
@@ -45,6 +68,7 @@ impl Plan {
             period_s,
             approach_samples,
             samples,
+            signals,
             hash,
         }
     }
@@ -69,6 +93,11 @@ impl Plan {
         &self.samples
     }
 
+    /// The signals that are set on the way, in the order of time.
+    pub fn signals(&self) -> &[PlanSignal] {
+        &self.signals
+    }
+
     /// Where the arm must stand when the plan begins.
     pub fn first(&self) -> JointAngles {
         self.samples[0].joints
@@ -79,7 +108,7 @@ impl Plan {
         self.samples[self.samples.len() - 1].joints
     }
 
-    /// SHA-256 over period, approach and the exact bytes of the samples, in hex.
+    /// SHA-256 over period, approach, the exact bytes of the samples and the signals, in hex.
     pub fn hash(&self) -> &str {
         &self.hash
     }
@@ -122,3 +151,6 @@ fn at_rest(joints: JointAngles) -> Setpoint {
         velocities: JointVelocities::ZERO,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,5 +1,6 @@
 //! How the robot side is set up.
 
+use crate::signals::SignalConfig;
 use motion::limits::RobotLimits;
 use serde::{Deserialize, Serialize};
 use std::net::SocketAddr;
@@ -22,21 +23,27 @@ pub struct RobotConfig {
     pub kind: RobotKind,
     /// Address on which the controller's EGM messages are awaited; port 0 takes a free one.
     pub egm_listen: SocketAddr,
-    /// Address of the controller's web services, `http://host:port`. Without it the robot stays
+    /// Address of the controller's web services, `https://host:port` or `http://host:port`. Without it the robot stays
     /// disconnected until [`crate::Robot::connect`] is called.
     pub rws_url: Option<String>,
     /// Controller account.
     pub rws_user: String,
     /// Its password.
     pub rws_password: String,
+    /// Fingerprint of the web services' certificate; see [`rws::Config::certificate_sha256`].
+    pub rws_certificate_sha256: Option<String>,
     /// Longest wait for one answer of the web services.
     pub rws_timeout: Duration,
     /// Longest wait for the controller to apply references after its program was started.
     pub session_timeout: Duration,
     /// Silence on the control link after which a run has failed.
     pub silence: Duration,
+    /// Ask the system for real-time priority for the control loop.
+    pub real_time: bool,
     /// What the arm is allowed to do.
     pub limits: RobotLimits,
+    /// The signals that people may work and motions may set.
+    pub signals: Vec<SignalConfig>,
 }
 
 impl RobotConfig {
@@ -50,6 +57,7 @@ impl RobotConfig {
             rws_url: None,
             rws_user: account.user,
             rws_password: account.password,
+            rws_certificate_sha256: None,
             rws_timeout: Duration::from_secs(1),
             session_timeout: Duration::from_secs(5),
             silence: match kind {
@@ -58,7 +66,12 @@ impl RobotConfig {
                 RobotKind::Virtual => Duration::from_millis(500),
                 RobotKind::None => Duration::from_millis(100),
             },
+            real_time: true,
             limits: RobotLimits::gofa5(),
+            signals: match kind {
+                RobotKind::Virtual => vec![SignalConfig::virtual_gripper()],
+                RobotKind::None => Vec::new(),
+            },
         }
     }
 }

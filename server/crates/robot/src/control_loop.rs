@@ -4,7 +4,7 @@
 //! triple buffer and rings; a full ring loses its newest entry and counts it.
 
 use crate::links::{Command, FeedbackSample, ThreadLinks};
-use crate::player::{Player, PlayerEnd, RunPhase};
+use crate::player::{Orders, Player, PlayerEnd, RunPhase};
 use crate::rate_limit::RateLimiter;
 use crate::run::CycleRecord;
 use egm::session::{Beginning, Counters, Hold, Received, Session, SessionConfig};
@@ -15,8 +15,11 @@ use motion::{JointAngles, JointVelocities};
 use std::net::SocketAddr;
 use std::time::Duration;
 
-/// Shortest cycle of a controller, µs.
-const CYCLE_US: u128 = 4_000;
+/// Messages that may be lost in a row without the arm being stopped. A cable loses none; what
+/// is lost all the same is made up for by the reference's speed.
+const LOST_TOLERATED: i32 = 3;
+/// Longest time that an arm may take to come to rest on its path, µs.
+const BRAKE_US: u64 = 1_500_000;
 
 /// What the outside can see of the loop.
 #[derive(Debug, Clone, Copy, Default)]
@@ -72,6 +75,8 @@ struct Active {
     stops: u64,
     armed_us: u64,
     player: Player,
+    /// Why the arm is being brought to rest, when nobody asked for it.
+    trouble: Option<LoopEnd>,
 }
 
 /// Everything the control thread works on.
@@ -79,6 +84,7 @@ pub(crate) struct ControlLoop {
     links: ThreadLinks,
     session_config: SessionConfig,
     session: Session,
+    limits: RobotLimits,
     limiter: RateLimiter,
     active: Option<Active>,
     /// Where the reference goes when nothing is played.
@@ -93,8 +99,9 @@ impl ControlLoop {
         let session_config = SessionConfig {
             timeout_us: silence.as_micros() as u64,
             late_after_us: 10_000,
-            max_lost: (silence.as_micros() / CYCLE_US) as i32,
-            max_advance_us: 16_000,
+            max_lost: LOST_TOLERATED,
+            max_advance_us: silence.as_micros() as u64,
+            brake_us: BRAKE_US,
             // The limiter before it has a headroom of its own.
             max_speed_deg_s: limits.joint_speed_deg_s.map(|limit| limit * 1.05),
         };
@@ -103,6 +110,7 @@ impl ControlLoop {
             links,
             session: Session::new(session_config.clone()),
             session_config,
+            limits: limits.clone(),
             limiter: RateLimiter::new(limits, nowhere),
             active: None,
             rest: nowhere,
@@ -122,23 +130,23 @@ impl ControlLoop {
         let Some(received) = self.session.receive(&feedback, at_us, source) else {
             return false;
         };
+        if self.session.is_visited() {
+            self.bring_to_rest(LoopEnd::Held(Hold::Stranger));
+            return true;
+        }
         self.latest = Some(received);
         self.latest_us = at_us;
-        let trouble = if let Some(beginning) = received.began {
-            Some(LoopEnd::SessionBegan(beginning))
-        } else if let Some(hold) = received.hold {
-            Some(LoopEnd::Held(hold))
+        if let Some(beginning) = received.began {
+            self.end_run(LoopEnd::SessionBegan(beginning));
+            self.rest_at_reference();
         } else if !received.may_be_commanded {
-            Some(LoopEnd::NotApplied {
+            self.end_run(LoopEnd::NotApplied {
                 mci_error: received.mci_error,
                 motors_on: received.motors_on,
-            })
-        } else {
-            None
-        };
-        if let Some(trouble) = trouble {
-            self.end_run(trouble);
+            });
             self.rest_at_reference();
+        } else if let Some(hold) = received.hold {
+            self.bring_to_rest(LoopEnd::Held(hold));
         }
         if self.links.flags.streams() {
             let joints = received.measured;
@@ -150,17 +158,25 @@ impl ControlLoop {
 
     /// Writes the answer to the newest datagram and returns its length.
     pub(crate) fn answer(&mut self, reply: &mut [u8]) -> Option<usize> {
+        let sent_at = ControllerTime((self.latest_us / 1000) as u32);
+        if self.session.is_visited() {
+            let answer = self.session.answer(None, sent_at)?;
+            return encode_correction(&answer.correction, reply).ok();
+        }
         self.take_commands();
         let received = self.latest?;
         let elapsed_s = self.session.pending_us() as f64 * 1e-6;
-        let stops = self.links.flags.stops();
+        let flags = &self.links.flags;
         let step = self.active.as_mut().map(|active| {
-            let stop = stops != active.stops;
-            active.player.advance(elapsed_s, &received.measured, stop)
+            let orders = Orders {
+                stop: flags.stops() != active.stops || active.trouble.is_some(),
+                pause: flags.is_paused(),
+                speed: flags.speed(),
+            };
+            active.player.advance(elapsed_s, &received.measured, orders)
         });
         let wish = step.map_or_else(|| at_rest(self.rest), |step| step.setpoint);
         let limited = self.limiter.limit(&wish, elapsed_s);
-        let sent_at = ControllerTime((self.latest_us / 1000) as u32);
         let answer = self.session.answer(Some(&limited), sent_at)?;
         if let (Some(step), Some(active)) = (step, &self.active) {
             let record = CycleRecord {
@@ -196,7 +212,8 @@ impl ControlLoop {
                 PlayerEnd::NotFollowing { .. } | PlayerEnd::NotSettled { .. } => received.measured,
                 PlayerEnd::Completed | PlayerEnd::Stopped => answer.correction.joints,
             };
-            self.end_run(LoopEnd::Player(end));
+            let trouble = self.active.as_ref().and_then(|active| active.trouble);
+            self.end_run(trouble.unwrap_or(LoopEnd::Player(end)));
         }
         encode_correction(&answer.correction, reply).ok()
     }
@@ -254,13 +271,15 @@ impl ControlLoop {
             end: None,
         });
         let reference = self.session.reference();
-        let refusal = match reference.map(|reference| Player::new(plan, reference.joints)) {
+        let begin = |reference: Setpoint| Player::new(plan, reference.joints, &self.limits);
+        let refusal = match reference.map(begin) {
             Some(Ok(player)) if self.session.arm() => {
                 self.active = Some(Active {
                     run,
                     stops,
                     armed_us: self.latest_us,
                     player,
+                    trouble: None,
                 });
                 return;
             }
@@ -271,6 +290,14 @@ impl ControlLoop {
             },
         };
         self.set_end(refusal);
+    }
+
+    /// Something is odd, but the controller still applies what it is told: to stand still at
+    /// once would be a jolt, so the run goes on along its path until it stands.
+    fn bring_to_rest(&mut self, trouble: LoopEnd) {
+        if let Some(active) = &mut self.active {
+            active.trouble = active.trouble.or(Some(trouble));
+        }
     }
 
     fn end_run(&mut self, end: LoopEnd) {
@@ -303,5 +330,7 @@ fn at_rest(joints: JointAngles) -> Setpoint {
     }
 }
 
+#[cfg(test)]
+mod faults;
 #[cfg(test)]
 mod tests;

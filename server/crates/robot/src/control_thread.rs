@@ -11,12 +11,18 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use thread_priority::{
+    RealtimeThreadSchedulePolicy, ThreadPriority, ThreadPriorityValue, ThreadSchedulePolicy,
+    set_thread_priority_and_policy, thread_native_id,
+};
 
 /// Longest wait for a message before looking after other things.
 const RECEIVE_TIMEOUT: Duration = Duration::from_millis(20);
 /// From this distance on, more messages may be waiting behind the one that was received, µs.
 const STALLED_US: u64 = 6_000;
-/// Highest priority that is not real-time; needs the right to raise it.
+/// Above everything that computes, below what the system itself needs (1 to 99).
+const FIFO_PRIORITY: u8 = 60;
+/// Highest priority that is not real-time; needs the right to raise it, too.
 const NICENESS: i32 = -20;
 
 /// Binds the port of the control thread.
@@ -26,18 +32,40 @@ pub(crate) fn bind(address: SocketAddr) -> std::io::Result<UdpSocket> {
     Ok(socket)
 }
 
+/// Asks for real-time priority for the calling thread. Without the right to it the loop runs at
+/// the highest ordinary one that it gets; the view says so.
+fn raise_priority() -> bool {
+    let fifo = ThreadPriorityValue::try_from(FIFO_PRIORITY).is_ok_and(|priority| {
+        set_thread_priority_and_policy(
+            thread_native_id(),
+            ThreadPriority::Crossplatform(priority),
+            ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo),
+        )
+        .is_ok()
+    });
+    if !fifo {
+        // Either way the arm is served; a raised priority only makes late answers rarer.
+        let raised = rustix::process::setpriority_process(None, NICENESS).is_ok();
+        tracing::warn!(
+            raised,
+            "the system gives the control loop no real-time priority; answers may be late when it is busy"
+        );
+    }
+    fifo
+}
+
 /// Starts the thread. It ends when [`Flags::quit`] is called.
 pub(crate) fn spawn(
     socket: UdpSocket,
     control: ControlLoop,
     flags: Arc<Flags>,
     epoch: Instant,
+    real_time: bool,
 ) -> std::io::Result<JoinHandle<()>> {
     std::thread::Builder::new()
         .name("egm".to_owned())
         .spawn(move || {
-            // Without the right to it the loop runs at normal priority; the view says so.
-            flags.set_real_time(rustix::process::setpriority_process(None, NICENESS).is_ok());
+            flags.set_real_time(real_time && raise_priority());
             let mut thread = ControlThread {
                 socket,
                 control,

@@ -5,7 +5,7 @@ use crate::error::Fault;
 use crate::player::PlayerEnd;
 use crate::procedures;
 use crate::run::RunEnd;
-use egm::session::Beginning;
+use egm::session::{Beginning, Hold};
 use rws::ControllerState;
 
 /// The end of a run. `controller` is the controller's own state right after it, if it answered.
@@ -44,9 +44,10 @@ pub(crate) fn run_end(end: LoopEnd, controller: Option<&ControllerState>) -> Run
             mci_error,
             motors_on,
         } => controller_stopped(controller, mci_error, motors_on),
-        LoopEnd::Held(_) | LoopEnd::Panicked => Fault::new(
+        LoopEnd::Held(hold) => held(hold),
+        LoopEnd::Panicked => Fault::new(
             "egm_refused",
-            "the control loop held the arm because a message or a setpoint was not plausible",
+            "the control loop failed and held the arm",
             "Try again. If it happens again, report it with the server's log.",
         ),
         LoopEnd::Disarmed => Fault::new(
@@ -56,6 +57,49 @@ pub(crate) fn run_end(end: LoopEnd, controller: Option<&ControllerState>) -> Run
         ),
     };
     RunEnd::Failed(fault)
+}
+
+fn held(hold: Hold) -> Fault {
+    let cable = "Check the network cable between the server and the controller.";
+    match hold {
+        Hold::Gap => Fault::new(
+            "egm_gap",
+            "several control messages of the robot were lost in the middle of the motion",
+            cable,
+        ),
+        Hold::OutOfOrder => Fault::new(
+            "egm_out_of_order",
+            "the robot's control messages arrived in the wrong order",
+            "Connect the server to the controller by a cable of its own.",
+        ),
+        Hold::Moved => Fault::new(
+            "egm_moved",
+            "the robot's control messages came from another address in the middle of the motion",
+            "Check the network between the server and the controller, and that nothing restarts the robot program.",
+        ),
+        Hold::Stranger => Fault::new(
+            "egm_stranger",
+            "a second robot sends control messages to the same port",
+            "Give each robot an EGM port of its own and check the controllers' settings.",
+        ),
+        Hold::Implausible => Fault::new(
+            "pose_implausible",
+            "the robot reported a pose that the arm cannot have reached",
+            "Do not move the arm. Check the messages on the FlexPendant.",
+        ),
+        Hold::Incomplete => Fault::new(
+            "egm_incomplete",
+            "the robot's control messages lack the arm's pose or its states",
+            "Check the messages on the FlexPendant.",
+        ),
+        Hold::NotArmed | Hold::NoSetpoint | Hold::NotApplied | Hold::NotFinite | Hold::Jump => {
+            Fault::new(
+                "egm_refused",
+                "the control loop held the arm because a setpoint was not plausible",
+                "Try again. If it happens again, report it with the server's log.",
+            )
+        }
+    }
 }
 
 /// No messages any more.

@@ -76,6 +76,29 @@ pub enum RobotError {
     /// Only while the arm is being guided.
     #[error("the arm is not being guided")]
     NotGuiding,
+    /// Only while a motion runs.
+    #[error("no motion is running")]
+    NotRunning,
+    /// A speed that is not allowed.
+    #[error("{:.0} % is no speed for a motion", share * 100.0)]
+    BadSpeed {
+        /// As asked for.
+        share: f64,
+    },
+    /// No such signal is configured.
+    #[error("there is no signal {name} that may be set")]
+    SignalUnknown {
+        /// What was asked for.
+        name: String,
+    },
+    /// The controller accepted it, and the signal did not change.
+    #[error("the {} did not {wish}", label.to_lowercase())]
+    SignalNotSet {
+        /// What people call the signal.
+        label: String,
+        /// What it was to do.
+        wish: String,
+    },
     /// Stopped by a person before it began.
     #[error("it was stopped before it began")]
     Stopped,
@@ -110,6 +133,10 @@ impl RobotError {
             Self::NotReady { .. } => "robot_not_ready",
             Self::MotorsStayOff => "motors_off",
             Self::NotGuiding => "robot_not_guiding",
+            Self::NotRunning => "robot_not_running",
+            Self::BadSpeed { .. } => "bad_speed",
+            Self::SignalUnknown { .. } => "signal_unknown",
+            Self::SignalNotSet { .. } => "signal_not_set",
             Self::Stopped => "stopped",
             Self::Controller(error) => error.code(),
             Self::Bind { .. } => "egm_port",
@@ -133,6 +160,14 @@ impl RobotError {
             Self::NotReady { .. } => "Release the stop and acknowledge it on the controller.",
             Self::MotorsStayOff => "Switch the motors on at the controller, then try again.",
             Self::NotGuiding => "Make the arm soft first.",
+            Self::NotRunning => "Start a motion first.",
+            Self::BadSpeed { .. } => "Choose a speed from 5 % to 100 %.",
+            Self::SignalUnknown { .. } => {
+                "Add the signal to the server's configuration, or train from takes without it."
+            }
+            Self::SignalNotSet { .. } => {
+                "Check the signal on the FlexPendant: something else may hold it."
+            }
             Self::Stopped => "Start it again when the arm may move.",
             Self::Controller(error) => error.advice(),
             Self::Bind { .. } => "Close the other program that uses the port, or choose another.",

@@ -48,6 +48,7 @@ pub(crate) struct FlightWriter {
     phase: Option<RunPhase>,
     controller: Option<ControllerState>,
     stop_seen: bool,
+    speed: f64,
     cycles: Vec<CycleRecord>,
     events: Vec<FlightEvent>,
     last_us: u64,
@@ -64,6 +65,7 @@ impl FlightWriter {
             phase: None,
             controller: None,
             stop_seen: false,
+            speed: 1.0,
             cycles: Vec::with_capacity(CHUNK_CYCLES),
             events: Vec::new(),
             last_us: 0,
@@ -112,6 +114,15 @@ impl FlightWriter {
         {
             self.controller = Some(state.clone());
             self.event("controller_state", controller_words(state));
+        }
+    }
+
+    /// Notes the speed that was asked for when it is another than before.
+    pub(crate) fn see_speed(&mut self, share: f64) {
+        if self.speed != share {
+            self.speed = share;
+            let words = format!("The speed is set to {:.0} %.", share * 100.0);
+            self.event("speed", words);
         }
     }
 
@@ -187,7 +198,8 @@ impl FlightWriter {
 fn phase_event(phase: RunPhase) -> (&'static str, &'static str) {
     match phase {
         RunPhase::Approach => ("approach", "The arm goes to the start of the motion."),
-        RunPhase::Motion => ("motion", "The motion begins."),
+        RunPhase::Motion => ("motion", "The arm does the motion."),
+        RunPhase::Paused => ("paused", "The arm stands until it is to go on."),
         RunPhase::Settling => ("settling", "The plan is over; the arm comes to rest."),
         RunPhase::Stopping => ("stopping", "The arm comes to a standstill."),
     }

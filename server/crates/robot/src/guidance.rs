@@ -23,6 +23,15 @@ pub enum GuidanceEvent {
         /// How long it was.
         length_us: u64,
     },
+    /// A signal was set, or something in the cell changed it.
+    Signal {
+        /// The controller's name of it.
+        name: String,
+        /// Its value from then on.
+        on: bool,
+        /// Since guidance began; not in step with the samples' order.
+        at_us: u64,
+    },
     /// Guidance is over; nothing follows.
     Ended {
         /// Why, for a person.
@@ -168,6 +177,18 @@ impl GuidanceStream {
         }
         self.last_us = Some(at_us);
         self.send(GuidanceEvent::Sample(GuidanceSample { at_us, joints }));
+    }
+
+    /// Passes on a change of a signal at `at_us` of the program's time.
+    pub(crate) fn signal(&self, at_us: u64, name: &str, on: bool) {
+        // The last place is kept for the end.
+        if self.events.capacity() > 1 {
+            self.send(GuidanceEvent::Signal {
+                name: name.to_owned(),
+                on,
+                at_us: at_us.saturating_sub(self.began_us),
+            });
+        }
     }
 
     /// Says why guidance is over. Only the first reason counts.

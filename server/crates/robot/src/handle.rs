@@ -8,7 +8,7 @@ use crate::guidance::{GuidanceEvent, HandCommand};
 use crate::links::{Flags, links};
 use crate::run::RunHandle;
 use crate::supervisor::{Reply, Request, Supervisor};
-use crate::view::RobotView;
+use crate::view::{RobotState, RobotView};
 use motion::plan::Plan;
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -44,7 +44,8 @@ impl Robot {
         let (thread_links, supervisor_links) = links();
         let flags = Arc::clone(&supervisor_links.flags);
         let control = ControlLoop::new(thread_links, &config.limits, config.silence);
-        control_thread::spawn(socket, control, Arc::clone(&flags), epoch).map_err(bind_error)?;
+        control_thread::spawn(socket, control, Arc::clone(&flags), epoch, config.real_time)
+            .map_err(bind_error)?;
 
         let kind = config.kind;
         let (view_in, view) = watch::channel(RobotView::new(kind));
@@ -125,6 +126,38 @@ impl Robot {
         self.stop.notify_one();
     }
 
+    /// Speed of the present run as a share of its plan's, from [`crate::SLOWEST`] to 1. It holds
+    /// from the next cycle on and until the run ends; the next one begins at full speed.
+    ///
+    /// # Errors
+    /// [`RobotError::BadSpeed`] outside that range, [`RobotError::NotRunning`] when nothing runs.
+    pub fn set_speed(&self, share: f64) -> Result<(), RobotError> {
+        if !(crate::SLOWEST..=1.0).contains(&share) {
+            return Err(RobotError::BadSpeed { share });
+        }
+        self.check_runs()?;
+        self.flags.set_speed(share);
+        Ok(())
+    }
+
+    /// Slows the present run down to standstill, or lets it go on.
+    ///
+    /// # Errors
+    /// [`RobotError::NotRunning`] when nothing runs.
+    pub fn set_paused(&self, paused: bool) -> Result<(), RobotError> {
+        self.check_runs()?;
+        self.flags.set_paused(paused);
+        Ok(())
+    }
+
+    fn check_runs(&self) -> Result<(), RobotError> {
+        if self.view.borrow().state == RobotState::Reproducing {
+            Ok(())
+        } else {
+            Err(RobotError::NotRunning)
+        }
+    }
+
     /// A person has looked at the fault.
     ///
     /// # Errors
@@ -139,6 +172,17 @@ impl Robot {
     /// [`RobotError::NotGuiding`] unless the arm is soft.
     pub async fn virtual_hand(&self, command: HandCommand) -> Result<(), RobotError> {
         self.ask(|reply| Request::Hand(command, reply)).await
+    }
+
+    /// Sets a signal. When this returns, the controller has it and the view shows it.
+    ///
+    /// # Errors
+    /// [`RobotError::SignalUnknown`] unless it is configured, [`RobotError::Busy`] while a plan
+    /// runs, [`RobotError::SignalNotSet`] when it does not read as it was set.
+    pub async fn set_signal(&self, name: &str, on: bool) -> Result<(), RobotError> {
+        let name = name.to_owned();
+        self.ask(|reply| Request::SetSignal { name, on, reply })
+            .await
     }
 
     /// Which arm there is.

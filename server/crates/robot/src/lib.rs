@@ -25,6 +25,7 @@ mod poll;
 mod procedures;
 mod rate_limit;
 mod run;
+mod signals;
 mod supervisor;
 #[cfg(test)]
 mod testing;
@@ -35,6 +36,7 @@ pub use error::{Fault, RobotError};
 pub use flight::{FlightChunk, FlightEvent};
 pub use guidance::{GuidanceEvent, GuidanceSample, HandActivity, HandCommand, HandScript};
 pub use handle::Robot;
-pub use player::RunPhase;
+pub use player::{RunPhase, SLOWEST};
 pub use run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
+pub use signals::{SignalConfig, SignalSet, SignalView};
 pub use view::{EgmView, RobotState, RobotView};

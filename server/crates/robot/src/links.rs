@@ -6,7 +6,7 @@ use crate::run::CycleRecord;
 use motion::JointAngles;
 use motion::plan::Plan;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 
 const COMMANDS: usize = 8;
 /// Sixteen seconds of cycles: far more than the supervisor can be late.
@@ -43,6 +43,9 @@ pub(crate) struct Flags {
     quit: AtomicBool,
     streaming: AtomicBool,
     real_time: AtomicBool,
+    paused: AtomicBool,
+    /// What is missing to full speed, so that the default is full speed, 1/1000.
+    slower_by: AtomicU32,
 }
 
 impl Flags {
@@ -62,6 +65,26 @@ impl Flags {
 
     pub(crate) fn quit(&self) {
         self.quit.store(true, Ordering::Release);
+    }
+
+    /// Whether the present run shall stand still until it is to go on.
+    pub(crate) fn is_paused(&self) -> bool {
+        self.paused.load(Ordering::Acquire)
+    }
+
+    pub(crate) fn set_paused(&self, paused: bool) {
+        self.paused.store(paused, Ordering::Release);
+    }
+
+    /// Speed of the present run as a share of its plan's.
+    pub(crate) fn speed(&self) -> f64 {
+        1.0 - f64::from(self.slower_by.load(Ordering::Acquire)) * 1e-3
+    }
+
+    /// `share` is 0 to 1.
+    pub(crate) fn set_speed(&self, share: f64) {
+        let slower_by = ((1.0 - share.clamp(0.0, 1.0)) * 1e3).round() as u32;
+        self.slower_by.store(slower_by, Ordering::Release);
     }
 
     /// Whether measured poses are to be passed on one by one.

@@ -1,21 +1,23 @@
 //! Walks a plan: which setpoint belongs to which instant. Pure; time comes in as an argument.
 //!
 //! The phases are: align (from where the reference stands to the plan's first sample, never
-//! more than [`ALIGN_LIMIT_DEG`]), play, settle. Stopping scales the speed along the path down to
-//! zero within [`STOP_S`], so that the arm never leaves the path that was approved, and never
-//! jumps.
+//! more than [`ALIGN_LIMIT_DEG`]), play, settle. Speed, pause and stop change the speed along the
+//! path ([`motion::path_speed`]), so that the arm never leaves the path that was approved, never
+//! jumps, and keeps the limits while it slows down.
 
+use motion::limits::RobotLimits;
+use motion::path_speed::{Course, PathSpeed};
 use motion::plan::{Plan, Setpoint};
 use motion::{JOINTS, JointAngles, JointVelocities, minimum_jerk};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Time from full speed to standstill when stopped, s.
-pub const STOP_S: f64 = 0.3;
 /// How far the arm may stand from the plan's first sample, deg.
 pub const ALIGN_LIMIT_DEG: f64 = 1.0;
 /// Peak speed of a joint while it is being aligned, deg/s.
 const ALIGN_SPEED_DEG_S: f64 = 2.0;
+/// Shortest time for that, s.
+const ALIGN_SHORTEST_S: f64 = 0.3;
 /// A smaller distance than this needs no alignment, deg.
 const ALIGNED_DEG: f64 = 1e-9;
 /// The arm has arrived when it is this near to the last reference, deg ...
@@ -30,6 +32,11 @@ const SETTLE_S: f64 = 5.0;
 const NOT_SETTLED_DEG: f64 = 0.5;
 /// Farthest that the arm may be from its reference on the way, deg.
 pub const TRACKING_LIMIT_DEG: f64 = 5.0;
+/// Longest pause, s. A controller ends its guidance by itself when nothing moves for long, and
+/// an arm that was forgotten must not begin to move again.
+pub const LONGEST_PAUSE_S: f64 = 300.0;
+/// Slowest speed that can be asked for, as a share of the plan's.
+pub const SLOWEST: f64 = 0.05;
 
 /// What the arm does at the moment, in the words of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -39,6 +46,8 @@ pub enum RunPhase {
     Approach,
     /// In the motion.
     Motion,
+    /// Slowed down to standstill on the path, until it is to go on.
+    Paused,
     /// At the end of the plan, waiting for the arm to arrive.
     Settling,
     /// Coming to a standstill.
@@ -68,6 +77,17 @@ pub enum PlayerEnd {
     },
 }
 
+/// What a person asks of a run. Stopping cannot be taken back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orders {
+    /// Slow down to standstill, and end.
+    pub stop: bool,
+    /// Slow down to standstill, and wait.
+    pub pause: bool,
+    /// Speed as a share of the plan's, [`SLOWEST`] to 1.
+    pub speed: f64,
+}
+
 /// One step along the plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlayerStep {
@@ -84,16 +104,24 @@ pub struct PlayerStep {
 /// A walk through one plan.
 #[derive(Debug)]
 pub struct Player {
-    plan: Arc<Plan>,
-    /// Reference at the beginning, and how long it takes to bring it to the plan's first sample.
-    align_from: JointAngles,
-    align_s: f64,
-    aligned_for_s: f64,
-    plan_t_s: f64,
-    stopping_for_s: Option<f64>,
+    way: Way,
+    limits: RobotLimits,
+    /// Where on the way.
+    way_s: f64,
+    speed: PathSpeed,
+    orders: Orders,
+    paused_for_s: f64,
     settling_for_s: f64,
     still: Still,
     commanded: JointAngles,
+}
+
+/// The plan with what leads from the reference to its first sample.
+#[derive(Debug)]
+struct Way {
+    plan: Arc<Plan>,
+    align_from: JointAngles,
+    align_s: f64,
 }
 
 /// Since when the arm has been standing.
@@ -109,23 +137,31 @@ impl Player {
     ///
     /// # Errors
     /// The distance in degrees, when above [`ALIGN_LIMIT_DEG`] or no number.
-    pub fn new(plan: Arc<Plan>, reference: JointAngles) -> Result<Self, f64> {
+    pub fn new(plan: Arc<Plan>, reference: JointAngles, limits: &RobotLimits) -> Result<Self, f64> {
         let distance_deg = reference.max_abs_difference(&plan.first());
         if !reference.is_finite() || distance_deg > ALIGN_LIMIT_DEG {
             return Err(distance_deg);
         }
         let align_s = if distance_deg > ALIGNED_DEG {
-            (minimum_jerk::PEAK * distance_deg / ALIGN_SPEED_DEG_S).max(STOP_S)
+            (minimum_jerk::PEAK * distance_deg / ALIGN_SPEED_DEG_S).max(ALIGN_SHORTEST_S)
         } else {
             0.0
         };
         Ok(Self {
-            plan,
-            align_from: reference,
-            align_s,
-            aligned_for_s: 0.0,
-            plan_t_s: 0.0,
-            stopping_for_s: None,
+            way: Way {
+                plan,
+                align_from: reference,
+                align_s,
+            },
+            limits: limits.clone(),
+            way_s: 0.0,
+            speed: PathSpeed::steady(1.0),
+            orders: Orders {
+                stop: false,
+                pause: false,
+                speed: 1.0,
+            },
+            paused_for_s: 0.0,
             settling_for_s: 0.0,
             still: Still {
                 joints: reference,
@@ -138,12 +174,16 @@ impl Player {
     /// Gives the plan back.
     #[must_use]
     pub fn into_plan(self) -> Arc<Plan> {
-        self.plan
+        self.way.plan
     }
 
-    /// Goes `elapsed_s` further. `measured` is the newest feedback; `stop` may come and stays in
-    /// force.
-    pub fn advance(&mut self, elapsed_s: f64, measured: &JointAngles, stop: bool) -> PlayerStep {
+    /// Goes `elapsed_s` further. `measured` is the newest feedback.
+    pub fn advance(
+        &mut self,
+        elapsed_s: f64,
+        measured: &JointAngles,
+        orders: Orders,
+    ) -> PlayerStep {
         let elapsed_s = if elapsed_s > 0.0 { elapsed_s } else { 0.0 };
         let (joint, error_deg) = largest_error(&self.commanded, measured);
         if error_deg.is_nan() || error_deg > TRACKING_LIMIT_DEG {
@@ -152,94 +192,71 @@ impl Player {
                 Some(PlayerEnd::NotFollowing { joint, error_deg }),
             );
         }
-        if stop && self.stopping_for_s.is_none() {
-            self.stopping_for_s = Some(0.0);
-        }
-        let (progress_s, factor, stopped) = self.path_time(elapsed_s);
-        let setpoint = self.setpoint_after(progress_s, factor);
-        self.commanded = setpoint.joints;
-        let end = if stopped {
-            Some(PlayerEnd::Stopped)
-        } else if self.plan_t_s >= self.plan.duration_s() && self.stopping_for_s.is_none() {
-            self.settle(elapsed_s, measured)
-        } else {
-            None
+        self.orders = Orders {
+            stop: self.orders.stop || orders.stop || self.paused_for_s > LONGEST_PAUSE_S,
+            ..orders
         };
+        let target = self.target();
+        self.way_s = self
+            .speed
+            .advance(&self.way, self.way_s, target, elapsed_s, &self.limits);
+        let mut setpoint = self.way.at(self.way_s);
+        for speed in &mut setpoint.velocities.0 {
+            *speed *= self.speed.share();
+        }
+        self.commanded = setpoint.joints;
+        let end = self.end(elapsed_s, measured);
         self.step(setpoint, end)
+    }
+
+    fn target(&self) -> f64 {
+        let Orders { stop, pause, speed } = self.orders;
+        if stop || pause {
+            0.0
+        } else if speed.is_nan() {
+            SLOWEST
+        } else {
+            speed.clamp(SLOWEST, 1.0)
+        }
+    }
+
+    fn end(&mut self, elapsed_s: f64, measured: &JointAngles) -> Option<PlayerEnd> {
+        let rests = self.speed.is_at_rest();
+        if self.orders.stop {
+            return rests.then_some(PlayerEnd::Stopped);
+        }
+        self.paused_for_s = if rests {
+            self.paused_for_s + elapsed_s
+        } else {
+            0.0
+        };
+        if self.way_s >= self.way.duration_s() {
+            return self.settle(elapsed_s, measured);
+        }
+        None
     }
 
     fn step(&self, setpoint: Setpoint, end: Option<PlayerEnd>) -> PlayerStep {
         PlayerStep {
             setpoint,
-            plan_t_s: self.plan_t_s,
+            plan_t_s: self.way.plan_t_s(self.way_s),
             phase: self.phase(),
             end,
         }
     }
 
     fn phase(&self) -> RunPhase {
-        if self.stopping_for_s.is_some() {
+        if self.orders.stop {
             RunPhase::Stopping
-        } else if self.plan_t_s >= self.plan.duration_s() {
+        } else if self.way_s >= self.way.duration_s() {
             RunPhase::Settling
-        } else if self.plan_t_s < self.plan.approach_s() || self.aligned_for_s < self.align_s {
+        } else if self.speed.is_at_rest() {
+            RunPhase::Paused
+        } else if self.way_s < self.way.align_s + self.way.plan.approach_s() {
             RunPhase::Approach
         } else {
             RunPhase::Motion
         }
-    }
-
-    /// By how much the path goes on in `elapsed_s`, the path-speed factor at its end, and
-    /// whether the path has come to a standstill.
-    ///
-    /// The factor falls from 1 to 0 as 1 - 3u² + 2u³ with u = time / [`STOP_S`]; the progress is
-    /// its exact integral, so that positions and speeds agree.
-    fn path_time(&mut self, elapsed_s: f64) -> (f64, f64, bool) {
-        let Some(before_s) = self.stopping_for_s else {
-            return (elapsed_s, 1.0, false);
-        };
-        let after_s = before_s + elapsed_s;
-        self.stopping_for_s = Some(after_s);
-        let travelled = |t_s: f64| {
-            let u = (t_s / STOP_S).min(1.0);
-            STOP_S * (u - u * u * u + 0.5 * u * u * u * u)
-        };
-        let u = (after_s / STOP_S).min(1.0);
-        let factor = 1.0 - u * u * (3.0 - 2.0 * u);
-        let progress_s = travelled(after_s) - travelled(before_s);
-        (progress_s, factor, after_s >= STOP_S)
-    }
-
-    fn setpoint_after(&mut self, progress_s: f64, factor: f64) -> Setpoint {
-        let left_to_align_s = self.align_s - self.aligned_for_s;
-        if left_to_align_s > 0.0 {
-            self.aligned_for_s += progress_s;
-            if self.aligned_for_s < self.align_s {
-                return self.align(factor);
-            }
-        }
-        self.plan_t_s += progress_s - left_to_align_s.max(0.0);
-        self.plan_t_s = self.plan_t_s.min(self.plan.duration_s());
-        let mut setpoint = self.plan.at(self.plan_t_s);
-        for speed in &mut setpoint.velocities.0 {
-            *speed *= factor;
-        }
-        setpoint
-    }
-
-    /// Minimum jerk from where the reference stood to the plan's first sample.
-    fn align(&self, factor: f64) -> Setpoint {
-        let u = self.aligned_for_s / self.align_s;
-        let share = minimum_jerk::share(u);
-        let slope = minimum_jerk::slope(u) / self.align_s;
-        let first = self.plan.first();
-        let mut setpoint = at_rest(self.align_from);
-        for joint in 0..JOINTS {
-            let distance = first.0[joint] - self.align_from.0[joint];
-            setpoint.joints.0[joint] += share * distance;
-            setpoint.velocities.0[joint] = slope * distance * factor;
-        }
-        setpoint
     }
 
     fn settle(&mut self, elapsed_s: f64, measured: &JointAngles) -> Option<PlayerEnd> {
@@ -265,6 +282,36 @@ impl Player {
         } else {
             Some(PlayerEnd::NotSettled { joint, error_deg })
         }
+    }
+}
+
+impl Way {
+    fn plan_t_s(&self, way_s: f64) -> f64 {
+        (way_s - self.align_s).max(0.0)
+    }
+}
+
+impl Course for Way {
+    /// Minimum jerk from where the reference stood to the plan's first sample, then the plan.
+    fn at(&self, way_s: f64) -> Setpoint {
+        if way_s >= self.align_s {
+            return self.plan.at(way_s - self.align_s);
+        }
+        let u = way_s / self.align_s;
+        let share = minimum_jerk::share(u);
+        let slope = minimum_jerk::slope(u) / self.align_s;
+        let first = self.plan.first();
+        let mut setpoint = at_rest(self.align_from);
+        for joint in 0..JOINTS {
+            let distance = first.0[joint] - self.align_from.0[joint];
+            setpoint.joints.0[joint] += share * distance;
+            setpoint.velocities.0[joint] = slope * distance;
+        }
+        setpoint
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.align_s + self.plan.duration_s()
     }
 }
 

@@ -3,6 +3,7 @@
 //! The answers go to the supervisor; nothing is decided here.
 
 use crate::guidance::HandActivity;
+use crate::signals;
 use motion::JointAngles;
 use rws::{Client, ControllerState, OperatingMode, RwsError};
 use std::time::{Duration, Instant};
@@ -47,26 +48,33 @@ pub(crate) enum News {
     Mode(OperatingMode),
     LeadThrough(bool),
     Hand(HandActivity),
+    /// Nothing when the controller does not tell.
+    Signal {
+        name: String,
+        value: Option<bool>,
+    },
     Failed(RwsError),
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 enum Question {
     Joints,
     Controller,
     Mode,
     LeadThrough,
     Hand,
+    Signal(String),
 }
 
 /// Asks until the supervisor is gone.
 pub(crate) async fn poll(
     client: Client,
     has_virtual_hand: bool,
+    signals: Vec<String>,
     pace: watch::Receiver<Pace>,
     observations: mpsc::Sender<Observation>,
 ) {
-    let mut others = Turn::new(has_virtual_hand);
+    let mut others = Turn::new(has_virtual_hand, signals);
     let mut fast = tokio::time::interval(FAST);
     let mut slow = tokio::time::interval(SLOW);
     fast.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -120,6 +128,15 @@ async fn ask(client: &Client, question: Question, asked: Instant) -> Result<News
         Question::Mode => News::Mode(client.operating_mode().await?),
         Question::LeadThrough => News::LeadThrough(client.lead_through().await?),
         Question::Hand => News::Hand(client.virtual_hand_state().await?.into()),
+        Question::Signal(name) => {
+            let value = match signals::read(client, &name).await {
+                Ok(on) => Some(on),
+                Err(error) if error.is_unreachable() => return Err(error),
+                // A signal that the controller does not have is no reason to lose the robot.
+                Err(_) => None,
+            };
+            News::Signal { name, value }
+        }
     })
 }
 
@@ -127,13 +144,15 @@ async fn ask(client: &Client, question: Question, asked: Instant) -> Result<News
 struct Turn {
     next: usize,
     has_virtual_hand: bool,
+    signals: Vec<String>,
 }
 
 impl Turn {
-    fn new(has_virtual_hand: bool) -> Self {
+    fn new(has_virtual_hand: bool, signals: Vec<String>) -> Self {
         Self {
             next: 0,
             has_virtual_hand,
+            signals,
         }
     }
 
@@ -153,7 +172,15 @@ impl Turn {
             Pace::Guiding { .. } => &GUIDING[..2],
             Pace::Reproducing => &REPRODUCING,
         };
-        self.next = (self.next + 1) % questions.len();
-        questions[self.next]
+        // A run knows how its signals stand because it sets them.
+        let signals: &[String] = match pace {
+            Pace::Reproducing => &[],
+            _ => &self.signals,
+        };
+        self.next = (self.next + 1) % (questions.len() + signals.len());
+        match questions.get(self.next) {
+            Some(question) => question.clone(),
+            None => Question::Signal(signals[self.next - questions.len()].clone()),
+        }
     }
 }

@@ -8,9 +8,6 @@ use motion::limits::RobotLimits;
 use motion::plan::Setpoint;
 use motion::{JOINTS, JointAngles, JointVelocities};
 
-/// Steepest change of the path speed while a motion is being stopped, 1/s; see
-/// [`crate::player`].
-pub(crate) const STOP_SLOPE_PER_S: f64 = 1.5 / crate::player::STOP_S;
 /// Samples, differences and our own rounding must not make the limiter bite on a legal motion.
 const HEADROOM: f64 = 1.05;
 /// Rounding of an angle of some hundred degrees, with room to spare.
@@ -32,14 +29,11 @@ impl RateLimiter {
     #[must_use]
     pub fn new(limits: &RobotLimits, joints: JointAngles) -> Self {
         let speed_deg_s = limits.joint_speed_deg_s.map(|limit| limit * HEADROOM);
-        let mut acceleration_deg_s2 = limits.joint_acceleration_deg_s2;
-        for (acceleration, speed) in acceleration_deg_s2.iter_mut().zip(&speed_deg_s) {
-            // Stopping along the path adds the slope of the path speed to the path's own.
-            *acceleration = *acceleration * HEADROOM + speed * STOP_SLOPE_PER_S;
-        }
         Self {
             speed_deg_s,
-            acceleration_deg_s2,
+            acceleration_deg_s2: limits
+                .joint_acceleration_deg_s2
+                .map(|limit| limit * HEADROOM),
             joints,
             speed: [0.0; JOINTS],
             step_s: 0.0,

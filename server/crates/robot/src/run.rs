@@ -3,6 +3,7 @@
 use crate::error::Fault;
 use crate::flight::FlightChunk;
 use crate::player::RunPhase;
+use crate::signals::SignalSet;
 use motion::{JointAngles, JointVelocities};
 use serde::Serialize;
 use tokio::sync::{mpsc, oneshot, watch};
@@ -28,6 +29,10 @@ pub struct RunProgress {
     pub t_s: f64,
     /// Duration of the plan, s.
     pub duration_s: f64,
+    /// Speed that was asked for, as a share of the plan's.
+    pub speed: f64,
+    /// A person asked for a pause.
+    pub paused: bool,
 }
 
 /// How a run ended.
@@ -35,6 +40,8 @@ pub struct RunProgress {
 pub struct RunOutcome {
     /// The end.
     pub end: RunEnd,
+    /// The signals that were set on the way.
+    pub signals: Vec<SignalSet>,
     /// What of the flight record did not go through [`RunHandle::flight`] any more.
     pub rest: FlightChunk,
 }

@@ -7,6 +7,7 @@ mod guiding;
 mod report;
 mod reproducing;
 mod seen;
+mod signals;
 
 use crate::config::{RobotConfig, RobotKind};
 use crate::error::{Fault, RobotError};
@@ -15,11 +16,13 @@ use crate::links::SupervisorLinks;
 use crate::poll::{self, Observation, Pace};
 use crate::procedures::{self, Aftermath};
 use crate::run::RunHandle;
+use crate::signals::SignalBoard;
 use crate::view::RobotView;
 use motion::plan::Plan;
 use reproducing::RunSlot;
 use rws::Client;
 use seen::Seen;
+use signals::RunSignal;
 use std::future::Future;
 use std::pin::Pin;
 use std::sync::Arc;
@@ -56,6 +59,20 @@ pub(crate) enum Request {
         activity: HandActivity,
         reply: Reply<()>,
     },
+    SetSignal {
+        name: String,
+        on: bool,
+        reply: Reply<()>,
+    },
+    /// A person's signal was set; the view must show it before its caller goes on.
+    SignalIs {
+        name: String,
+        on: bool,
+        at: Instant,
+        reply: Reply<()>,
+    },
+    /// A run's signal was set, or could not be.
+    RunSignal(RunSignal),
     Shutdown(oneshot::Sender<()>),
 }
 
@@ -103,6 +120,7 @@ pub(crate) struct Supervisor {
     poller: Option<tokio::task::JoinHandle<()>>,
     pace: watch::Sender<Pace>,
     seen: Seen,
+    signals: SignalBoard,
     mode: Mode,
     operation: Option<Operation>,
     unfinished: Unfinished,
@@ -120,6 +138,7 @@ impl Supervisor {
         requests: mpsc::WeakSender<Request>,
     ) -> Self {
         Self {
+            signals: SignalBoard::new(&config.signals),
             config,
             links,
             epoch,
@@ -187,6 +206,7 @@ impl Supervisor {
             base_url: url,
             user: self.config.rws_user.clone(),
             password: self.config.rws_password.clone(),
+            certificate_sha256: self.config.rws_certificate_sha256.clone(),
             timeout: self.config.rws_timeout,
         })?;
         if let Some(poller) = self.poller.take() {
@@ -196,6 +216,7 @@ impl Supervisor {
         self.poller = Some(tokio::spawn(poll::poll(
             client.clone(),
             has_virtual_hand,
+            self.signals.names(),
             self.pace.subscribe(),
             news.clone(),
         )));
@@ -223,6 +244,18 @@ impl Supervisor {
                 self.publish();
                 let _ = reply.send(Ok(()));
             }
+            Request::SetSignal { name, on, reply } => self.set_signal(&name, on, reply),
+            Request::SignalIs {
+                name,
+                on,
+                at,
+                reply,
+            } => {
+                self.see_signal(&name, Some(on), at);
+                self.publish();
+                let _ = reply.send(Ok(()));
+            }
+            Request::RunSignal(done) => self.run_signal_set(done),
             // These two are dealt with where the channels are.
             Request::Connect(..) | Request::Shutdown(_) => {}
         }

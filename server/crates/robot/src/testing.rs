@@ -26,6 +26,7 @@ pub(crate) fn minimum_jerk_plan(travel_deg: [f64; 6], duration_s: f64) -> Plan {
         period_s,
         approach_samples: 0,
         joints,
+        signals: Vec::new(),
     };
     // The tool's speed is not what these tests are about.
     let limits = RobotLimits {

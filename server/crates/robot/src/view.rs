@@ -4,6 +4,7 @@ use crate::config::RobotKind;
 use crate::error::Fault;
 use crate::guidance::HandActivity;
 use crate::run::RunProgress;
+use crate::signals::SignalView;
 use serde::Serialize;
 
 /// What the robot does.
@@ -81,6 +82,8 @@ pub struct RobotView {
     pub fault: Option<Fault>,
     /// Where the present run is.
     pub run: Option<RunProgress>,
+    /// The signals that may be worked.
+    pub signals: Vec<SignalView>,
 }
 
 impl RobotView {
@@ -98,6 +101,7 @@ impl RobotView {
             hand: None,
             fault: None,
             run: None,
+            signals: Vec::new(),
         }
     }
 }

@@ -1,13 +1,17 @@
 //! The session: authentication, headers, back-off, and the mapping of statuses to errors.
 
 use crate::hal;
+use crate::tls::Tls;
 use crate::{RwsError, session::SessionCookies};
-use reqwest::header::{ACCEPT, CONTENT_TYPE};
+use reqwest::cookie::CookieStore;
+use reqwest::header::{ACCEPT, CONTENT_TYPE, HeaderValue, LOCATION};
 use reqwest::{Method, StatusCode, Url};
 use std::sync::Arc;
 use std::time::Duration;
 
 const ACCEPT_HAL: &str = "application/hal+json;v=2.0";
+// What every resource has, also where an older controller has no JSON.
+const ACCEPT_XHTML: &str = "application/xhtml+xml;v=2.0";
 // Without ";v=2.0" the controller answers 406, also to an empty body.
 const FORM: &str = "application/x-www-form-urlencoded;v=2.0";
 const BACK_OFF: [Duration; 3] = [
@@ -19,26 +23,40 @@ const BACK_OFF: [Duration; 3] = [
 /// Where the controller is and how to log in.
 #[derive(Debug, Clone)]
 pub struct Config {
-    /// For example `http://127.0.0.1:8081`.
+    /// For example `https://192.168.125.1`.
     pub base_url: String,
     /// Controller account.
     pub user: String,
     /// Its password.
     pub password: String,
+    /// SHA-256 fingerprint of the one certificate that is accepted, whatever its name and dates;
+    /// hexadecimal, colons allowed. Without it https is verified as a browser does, which a
+    /// controller's own certificate does not pass.
+    pub certificate_sha256: Option<String>,
     /// Longest wait for one answer.
     pub timeout: Duration,
 }
 
 impl Config {
-    /// The factory account at `base_url`, two seconds per answer.
+    /// The factory account at `base_url`, no pinned certificate, two seconds per answer.
     pub fn new(base_url: impl Into<String>) -> Self {
         Self {
             base_url: base_url.into(),
             user: "Default User".to_owned(),
             password: "robotics".to_owned(),
+            certificate_sha256: None,
             timeout: Duration::from_secs(2),
         }
     }
+}
+
+/// What the controller said to a request that it accepted.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    /// Where the new resource is, if one was made.
+    pub(crate) location: Option<String>,
+    /// The body.
+    pub(crate) text: String,
 }
 
 /// One session with one controller. Cloning shares the session.
@@ -47,6 +65,7 @@ pub struct Client {
     http: reqwest::Client,
     cookies: Arc<SessionCookies>,
     base: Url,
+    tls: Tls,
     config: Arc<Config>,
 }
 
@@ -54,18 +73,38 @@ impl Client {
     /// Prepares a session; nothing is sent yet.
     ///
     /// # Errors
-    /// [`RwsError::BadAddress`] when the address is not an HTTP address.
+    /// [`RwsError::BadAddress`] when the address is not an HTTP address, or is one without TLS
+    /// although a certificate is pinned; [`RwsError::BadFingerprint`] when the pin is none.
     pub fn new(config: Config) -> Result<Self, RwsError> {
         let bad = |reason: String| RwsError::BadAddress {
             url: config.base_url.clone(),
             reason,
         };
         let base = Url::parse(&config.base_url).map_err(|error| bad(error.to_string()))?;
-        if base.host().is_none() || base.scheme() != "http" {
-            return Err(bad("it must look like http://host:port".to_owned()));
+        if base.host().is_none() || !matches!(base.scheme(), "http" | "https") {
+            return Err(bad("it must look like https://host:port".to_owned()));
         }
+        let pinned = match &config.certificate_sha256 {
+            Some(text) => Some(
+                text.parse()
+                    .map_err(|_| RwsError::BadFingerprint { text: text.clone() })?,
+            ),
+            None => None,
+        };
+        let https = base.scheme() == "https";
+        // Somebody who pinned a certificate must never talk without one.
+        if pinned.is_some() && !https {
+            return Err(bad(
+                "a certificate is pinned, so it must begin with https://".to_owned(),
+            ));
+        }
+        let tls = Tls::new(pinned).map_err(|error| bad(error.to_string()))?;
         let cookies = Arc::new(SessionCookies::default());
         let http = reqwest::Client::builder()
+            .tls_backend_preconfigured(rustls::ClientConfig::clone(&tls.config))
+            .https_only(https)
+            // A controller never sends anybody elsewhere.
+            .redirect(reqwest::redirect::Policy::none())
             .cookie_provider(Arc::clone(&cookies))
             // Commands to the arm must never take a detour through a proxy of the office network.
             .no_proxy()
@@ -79,6 +118,7 @@ impl Client {
             http,
             cookies,
             base,
+            tls,
             config: Arc::new(config),
         })
     }
@@ -97,11 +137,46 @@ impl Client {
     }
 
     pub(crate) async fn get(&self, path: &str) -> Result<String, RwsError> {
-        self.send(Method::GET, path, None).await
+        Ok(self.send(Method::GET, path, None).await?.text)
     }
 
     pub(crate) async fn post(&self, path: &str, form: &[(&str, &str)]) -> Result<String, RwsError> {
+        Ok(self.create(path, form).await?.text)
+    }
+
+    /// Posts what makes a new resource; the answer says where it is.
+    pub(crate) async fn create(
+        &self,
+        path: &str,
+        form: &[(&str, &str)],
+    ) -> Result<Answer, RwsError> {
         self.send(Method::POST, path, Some(form)).await
+    }
+
+    pub(crate) async fn delete(&self, path: &str) -> Result<(), RwsError> {
+        self.send(Method::DELETE, path, None).await.map(|_| ())
+    }
+
+    /// The cookies of the session, for a request that is not made here; nothing without one.
+    pub(crate) fn session_cookies(&self) -> Option<HeaderValue> {
+        self.cookies.cookies(&self.base)
+    }
+
+    /// Which session this is.
+    pub(crate) fn session_id(&self) -> Option<String> {
+        self.cookies.id(&self.base)
+    }
+
+    pub(crate) fn base(&self) -> &Url {
+        &self.base
+    }
+
+    pub(crate) fn tls(&self) -> &Tls {
+        &self.tls
+    }
+
+    pub(crate) fn timeout(&self) -> Duration {
+        self.config.timeout
     }
 
     /// Sends one request, logging in again once when the session was lost, and waiting a little
@@ -111,13 +186,14 @@ impl Client {
         method: Method,
         path: &str,
         form: Option<&[(&str, &str)]>,
-    ) -> Result<String, RwsError> {
+    ) -> Result<Answer, RwsError> {
+        let mut accept = ACCEPT_HAL;
         let mut logged_in_again = false;
         let mut back_off = BACK_OFF.into_iter();
         loop {
             let had_session = self.cookies.is_open(&self.base);
-            let (status, text) = self
-                .send_once(method.clone(), path, form, !had_session)
+            let (status, answer) = self
+                .send_once(method.clone(), path, form, accept, !had_session)
                 .await
                 .map_err(|error| self.unreachable(&error))?;
             match status {
@@ -125,6 +201,7 @@ impl Client {
                     self.cookies.clear();
                     logged_in_again = true;
                 }
+                StatusCode::NOT_ACCEPTABLE if accept == ACCEPT_HAL => accept = ACCEPT_XHTML,
                 StatusCode::SERVICE_UNAVAILABLE => match back_off.next() {
                     Some(pause) => tokio::time::sleep(pause).await,
                     None => {
@@ -133,8 +210,8 @@ impl Client {
                         });
                     }
                 },
-                status if status.is_success() => return Ok(text),
-                status => return Err(self.refused(path, status, &text)),
+                status if status.is_success() => return Ok(answer),
+                status => return Err(self.refused(path, status, &answer.text)),
             }
         }
     }
@@ -144,10 +221,11 @@ impl Client {
         method: Method,
         path: &str,
         form: Option<&[(&str, &str)]>,
+        accept: &'static str,
         with_login: bool,
-    ) -> Result<(StatusCode, String), reqwest::Error> {
+    ) -> Result<(StatusCode, Answer), reqwest::Error> {
         let url = format!("{}{path}", self.base.as_str().trim_end_matches('/'));
-        let mut request = self.http.request(method, url).header(ACCEPT, ACCEPT_HAL);
+        let mut request = self.http.request(method, url).header(ACCEPT, accept);
         if with_login {
             request = request.basic_auth(&self.config.user, Some(&self.config.password));
         }
@@ -156,13 +234,22 @@ impl Client {
         }
         let answer = request.send().await?;
         let status = answer.status();
-        Ok((status, answer.text().await?))
+        let location = answer
+            .headers()
+            .get(LOCATION)
+            .and_then(|value| value.to_str().ok())
+            .map(str::to_owned);
+        let text = answer.text().await?;
+        Ok((status, Answer { location, text }))
     }
 
     fn unreachable(&self, error: &reqwest::Error) -> RwsError {
         let reason = if error.is_timeout() {
             "no answer in time".to_owned()
         } else if error.is_connect() {
+            if let Some(refusal) = self.tls.refusal(&self.config.base_url) {
+                return refusal;
+            }
             "no connection".to_owned()
         } else {
             error.to_string()

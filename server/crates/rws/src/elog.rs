@@ -1,7 +1,7 @@
 //! The controller's event log.
 
 use crate::hal::Entries;
-use crate::{Client, RwsError};
+use crate::{Client, RwsError, elog_words};
 
 /// Log domain of the safety controller.
 pub const SAFETY_DOMAIN: u32 = 9;
@@ -30,14 +30,27 @@ pub struct EventMessage {
     pub at: String,
     /// One line.
     pub title: String,
+    /// What exactly, if the controller says so.
+    pub description: String,
 }
 
+impl EventMessage {
+    /// What to do about it.
+    #[must_use]
+    pub fn advice(&self) -> &'static str {
+        elog_words::advice(self.code)
+    }
+}
+
+/// In plain words where the event is known, with the controller's own title in any case.
 impl std::fmt::Display for EventMessage {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if self.title.is_empty() {
-            write!(formatter, "event {}", self.code)
-        } else {
-            write!(formatter, "{} (event {})", self.title, self.code)
+        let Self { code, title, .. } = self;
+        match (elog_words::explain(*code), title.as_str()) {
+            (Some(words), "") => write!(formatter, "{} (event {code})", words.what),
+            (Some(words), title) => write!(formatter, "{} (event {code}: {title})", words.what),
+            (None, "") => write!(formatter, "event {code}"),
+            (None, title) => write!(formatter, "{title} (event {code})"),
         }
     }
 }
@@ -66,6 +79,7 @@ impl Client {
                 })?,
                 at: entry.optional_text("tstamp"),
                 title: entry.optional_text("title"),
+                description: entry.optional_text("desc"),
             })
         });
         messages.collect()

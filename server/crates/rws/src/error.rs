@@ -1,5 +1,7 @@
 //! What can go wrong between us and the controller, each with advice for the person at the arm.
 
+use crate::Fingerprint;
+
 /// An answer of the controller, or its absence, that kept a call from doing what it should.
 #[derive(Debug, thiserror::Error)]
 pub enum RwsError {
@@ -10,6 +12,34 @@ pub enum RwsError {
         url: String,
         /// What the parser says.
         reason: String,
+    },
+    /// The pinned fingerprint in the configuration is none.
+    #[error("the certificate fingerprint \"{text}\" is not usable")]
+    BadFingerprint {
+        /// As configured.
+        text: String,
+    },
+    /// Nobody has said that this certificate is the controller's.
+    #[error(
+        "the robot controller at {url} shows a certificate that this computer does not know; its SHA-256 fingerprint is {seen}"
+    )]
+    UnknownCertificate {
+        /// Base address of the controller.
+        url: String,
+        /// The certificate's fingerprint.
+        seen: Fingerprint,
+    },
+    /// Another certificate than the pinned one.
+    #[error(
+        "the robot controller at {url} shows another certificate than the configured one: its SHA-256 fingerprint is {seen}, configured is {pinned}"
+    )]
+    WrongCertificate {
+        /// Base address of the controller.
+        url: String,
+        /// The fingerprint of the certificate that it showed.
+        seen: Fingerprint,
+        /// The fingerprint in the configuration.
+        pinned: Fingerprint,
     },
     /// No answer: no connection, or none in time.
     #[error("the robot controller at {url} does not answer: {reason}")]
@@ -89,6 +119,9 @@ impl RwsError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::BadAddress { .. } => "robot_address",
+            Self::BadFingerprint { .. } => "robot_fingerprint",
+            Self::UnknownCertificate { .. } => "robot_certificate_unknown",
+            Self::WrongCertificate { .. } => "robot_certificate_wrong",
             Self::Unreachable { .. } => "robot_unreachable",
             Self::Unauthorized { .. } => "robot_login",
             Self::Busy { .. } => "robot_overloaded",
@@ -106,7 +139,16 @@ impl RwsError {
     pub fn advice(&self) -> &'static str {
         match self {
             Self::BadAddress { .. } => {
-                "Write the address as http://192.168.125.1 in the configuration."
+                "Write the address as https://192.168.125.1 in the configuration."
+            }
+            Self::BadFingerprint { .. } => {
+                "Write certificate_sha256 as 64 hexadecimal digits, as team doctor shows them; colons between them do not matter."
+            }
+            Self::UnknownCertificate { .. } => {
+                "Compare the fingerprint with the one that team doctor shows on a computer plugged into the controller's service port. If it is the same, set it as certificate_sha256 in the configuration."
+            }
+            Self::WrongCertificate { .. } => {
+                "If the controller was replaced or installed anew, compare its fingerprint at the controller's service port and set it as certificate_sha256. Otherwise another device answers at the robot's address: call whoever runs the network."
             }
             Self::Unreachable { .. } => {
                 "Check that the controller is switched on and its network cable is plugged in."

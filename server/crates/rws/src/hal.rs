@@ -1,9 +1,10 @@
-//! Reading the controller's JSON (HAL): where the fields are, and what to do with its mistakes.
+//! Reading the controller's answers: where the fields are, and what to do with its mistakes.
 //!
-//! Single resources carry their fields in `state[0]`, lists in `_embedded.resources[]`; every
-//! value is a string.
+//! In JSON (HAL) single resources carry their fields in `state[0]`, lists in
+//! `_embedded.resources[]`; every value is a string. XHTML, which some resources have alone, is
+//! brought into the same shape by [`crate::xhtml`].
 
-use crate::RwsError;
+use crate::{RwsError, xhtml};
 use serde_json::{Map, Value};
 
 /// The entries of an answer: one for a single resource, any number for a list.
@@ -11,6 +12,7 @@ use serde_json::{Map, Value};
 pub(crate) struct Entries<'a> {
     path: &'a str,
     entries: Vec<Map<String, Value>>,
+    more: bool,
 }
 
 impl<'a> Entries<'a> {
@@ -20,6 +22,14 @@ impl<'a> Entries<'a> {
             path: path.to_owned(),
             reason,
         };
+        if is_xhtml(text) {
+            let entries = xhtml::entries(text);
+            return Ok(Self {
+                path,
+                entries,
+                more: text.contains("rel=\"next\""),
+            });
+        }
         let document: Value = serde_json::from_str(text)
             .or_else(|_| serde_json::from_str(&without_leading_zeros(text)))
             .map_err(|error| unreadable(error.to_string()))?;
@@ -36,30 +46,38 @@ impl<'a> Entries<'a> {
             .iter()
             .filter_map(|entry| entry.as_object().cloned())
             .collect();
-        Ok(Self { path, entries })
+        let more = document.pointer("/_links/next").is_some();
+        Ok(Self {
+            path,
+            entries,
+            more,
+        })
+    }
+
+    /// Whether the list goes on in another answer.
+    pub(crate) fn has_more(&self) -> bool {
+        self.more
+    }
+
+    /// All entries.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Entry<'_>> {
+        self.entries.iter().map(|fields| Entry {
+            path: self.path,
+            fields,
+        })
     }
 
     /// All entries of type `kind` (`_type`), each readable by field name.
     pub(crate) fn of_type(&self, kind: &str) -> impl Iterator<Item = Entry<'_>> {
-        self.entries
-            .iter()
-            .filter(move |entry| entry.get("_type").and_then(Value::as_str) == Some(kind))
-            .map(|fields| Entry {
-                path: self.path,
-                fields,
-            })
+        self.all()
+            .filter(move |entry| entry.fields.get("_type").and_then(Value::as_str) == Some(kind))
     }
 
     /// The first entry that holds `field`. The type is not looked at, because controllers
     /// differ in it more than in the names of the fields.
     pub(crate) fn with_field(&self, field: &str) -> Result<Entry<'_>, RwsError> {
-        self.entries
-            .iter()
-            .find(|entry| entry.contains_key(field))
-            .map(|fields| Entry {
-                path: self.path,
-                fields,
-            })
+        self.all()
+            .find(|entry| entry.fields.contains_key(field))
             .ok_or_else(|| RwsError::Unreadable {
                 path: self.path.to_owned(),
                 reason: format!("\"{field}\" is missing"),
@@ -99,6 +117,17 @@ impl Entry<'_> {
         self.text(field).unwrap_or_default()
     }
 
+    /// All texts of a field that holds one or several.
+    pub(crate) fn texts(&self, field: &str) -> Vec<String> {
+        match self.fields.get(field) {
+            Some(Value::Array(values)) => values
+                .iter()
+                .filter_map(|value| value.as_str().map(str::to_owned))
+                .collect(),
+            _ => self.text(field).into_iter().collect(),
+        }
+    }
+
     fn unreadable(&self, reason: String) -> RwsError {
         RwsError::Unreadable {
             path: self.path.to_owned(),
@@ -109,13 +138,23 @@ impl Entry<'_> {
 
 /// ABB's code and words in the body of a refusal, if it has any.
 pub(crate) fn refusal(text: &str) -> (Option<i64>, String) {
+    const NO_REASON: &str = "no reason given";
+    if is_xhtml(text) {
+        let code = xhtml::span(text, "code").and_then(|code| code.trim().parse().ok());
+        let message = xhtml::span(text, "msg").unwrap_or_else(|| NO_REASON.to_owned());
+        return (code, message);
+    }
     let document: Value = serde_json::from_str(text).unwrap_or_default();
     let code = document.pointer("/status/code").and_then(Value::as_i64);
     let message = ["/status/msg", "/detail", "/message"]
         .into_iter()
         .find_map(|pointer| document.pointer(pointer).and_then(Value::as_str))
-        .unwrap_or("no reason given");
+        .unwrap_or(NO_REASON);
     (code, message.to_owned())
+}
+
+fn is_xhtml(text: &str) -> bool {
+    text.trim_start().starts_with('<')
 }
 
 /// Event-log arguments arrive as `-01`, which is not JSON: drops leading zeros of numbers

@@ -25,7 +25,7 @@ pub enum ControllerState {
 }
 
 impl ControllerState {
-    fn from_wire(word: &str) -> Self {
+    pub(crate) fn from_wire(word: &str) -> Self {
         match word.to_ascii_lowercase().as_str() {
             "init" => Self::Init,
             "motoroff" => Self::MotorsOff,
@@ -54,7 +54,7 @@ pub enum OperatingMode {
 
 impl OperatingMode {
     // Real controllers write this in capitals, others do not.
-    fn from_wire(word: &str) -> Self {
+    pub(crate) fn from_wire(word: &str) -> Self {
         match word.to_ascii_lowercase().as_str() {
             "auto" => Self::Auto,
             "manr" => Self::ManualReduced,

@@ -19,6 +19,16 @@ pub enum Execution {
     Stopped,
 }
 
+impl Execution {
+    pub(crate) fn from_wire(word: &str) -> Self {
+        if word.eq_ignore_ascii_case("running") {
+            Self::Running
+        } else {
+            Self::Stopped
+        }
+    }
+}
+
 /// How often the program is to be run through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cycle {
@@ -39,11 +49,7 @@ impl Client {
         let word = Entries::parse(path, &text)?
             .with_field("ctrlexecstate")?
             .text("ctrlexecstate")?;
-        if word.eq_ignore_ascii_case("running") {
-            Ok(Execution::Running)
-        } else {
-            Ok(Execution::Stopped)
-        }
+        Ok(Execution::from_wire(&word))
     }
 
     /// Starts the robot program and waits until it really runs.

@@ -8,6 +8,8 @@ use reqwest::cookie::{CookieStore, Jar};
 use reqwest::header::HeaderValue;
 use std::sync::{PoisonError, RwLock};
 
+const SESSION: &str = "-http-session-";
+
 /// A cookie jar that can be emptied.
 #[derive(Debug, Default)]
 pub(crate) struct SessionCookies(RwLock<Jar>);
@@ -16,6 +18,18 @@ impl SessionCookies {
     /// Forgets the session.
     pub(crate) fn clear(&self) {
         *self.0.write().unwrap_or_else(PoisonError::into_inner) = Jar::default();
+    }
+
+    /// The name of the session with the controller at `url`. The other cookie may change within a
+    /// session.
+    pub(crate) fn id(&self, url: &Url) -> Option<String> {
+        let cookies = self.cookies(url)?;
+        cookies
+            .to_str()
+            .ok()?
+            .split(';')
+            .filter_map(|pair| pair.trim().split_once('='))
+            .find_map(|(name, value)| (name == SESSION).then(|| value.to_owned()))
     }
 
     /// Whether a session was opened with the controller at `url`.

@@ -1,4 +1,4 @@
-//! Who the controller is.
+//! Who the controller is, what it can do, and what time it has.
 
 use crate::hal::Entries;
 use crate::{Client, RwsError};
@@ -26,5 +26,32 @@ impl Client {
             name: entry.optional_text("name"),
             robotware: entry.text("rwversion")?,
         })
+    }
+
+    /// Reads the options that are installed, for example `3124-1 Externally Guided Motion`.
+    ///
+    /// # Errors
+    /// As for every call.
+    pub async fn options(&self) -> Result<Vec<String>, RwsError> {
+        let path = "/rw/system/options";
+        let text = self.get(path).await?;
+        let entries = Entries::parse(path, &text)?;
+        Ok(entries
+            .all()
+            .flat_map(|entry| entry.texts("option"))
+            .collect())
+    }
+
+    /// Reads the controller's clock, as it writes it: `YYYY-MM-DD T HH:MM:SS`, in the time zone
+    /// that it is set to.
+    ///
+    /// # Errors
+    /// As for every call.
+    pub async fn clock(&self) -> Result<String, RwsError> {
+        let path = "/ctrl/clock";
+        let text = self.get(path).await?;
+        Entries::parse(path, &text)?
+            .with_field("datetime")?
+            .text("datetime")
     }
 }

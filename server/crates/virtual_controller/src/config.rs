@@ -16,6 +16,19 @@ pub enum StopMode {
     RampDown,
 }
 
+/// Whose messages the controller sends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MessageSet {
+    /// RobotWare 7, all fields.
+    #[default]
+    RobotWare7,
+    /// RobotWare 6.10 and later: the force in its old layout, nothing that RobotWare 7 added.
+    RobotWare6,
+    /// RobotWare 6 before 6.07: no times and no utilisation either. Its angles are degrees all the
+    /// same, unlike those of some such controllers.
+    EarlyRobotWare6,
+}
+
 /// The numbers of the EGM control law and of its supervision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EgmSettings {
@@ -46,6 +59,8 @@ pub struct EgmSettings {
     pub set_up_cycles: u32,
     /// The controller sends its position also when no program guides the arm.
     pub stream_when_idle: bool,
+    /// Whose messages it sends.
+    pub messages: MessageSet,
     /// Until its program has stopped once, the controller reports RAPID as undefined, as a real
     /// one can after a restart.
     pub rapid_undefined_at_first: bool,
@@ -67,6 +82,7 @@ impl Default for EgmSettings {
             servo_delay_cycles: 2,
             set_up_cycles: 20,
             stream_when_idle: false,
+            messages: MessageSet::RobotWare7,
             rapid_undefined_at_first: false,
         }
     }
@@ -79,6 +95,9 @@ pub struct Config {
     pub egm_remote: SocketAddr,
     /// Where Robot Web Services listen; port 0 takes a free one.
     pub rws_listen: SocketAddr,
+    /// Robot Web Services are served over HTTPS, with a certificate of the controller's own that
+    /// no authority has signed, as real ones do.
+    pub rws_https: bool,
     /// Joint angles at the start, deg.
     pub home: JointAngles,
     /// Name of the controller in `/rw/system`.
@@ -94,6 +113,7 @@ impl Config {
         Self {
             egm_remote,
             rws_listen: SocketAddr::from((Ipv4Addr::LOCALHOST, 0)),
+            rws_https: false,
             home: JointAngles([0.0, 8.0, 24.0, 0.0, -45.0, 0.0]),
             name: "virtual_gofa".to_owned(),
             egm: EgmSettings::default(),

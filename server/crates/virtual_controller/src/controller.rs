@@ -19,8 +19,10 @@ use crate::egm_message::Content;
 use crate::egm_session::{Failure, Session};
 use crate::events::{EventLog, Incident};
 use crate::faults::Faults;
+use crate::faults::link::ControllerFault;
+use crate::faults::script::FaultScript;
 use crate::hand::Hand;
-use crate::signals::Signals;
+use crate::signals::{GRIPPER_CLOSE, Signals};
 
 pub use guidance::LeadThrough;
 pub use panel::{ControllerState, OperatingMode};
@@ -102,6 +104,8 @@ pub struct Controller {
     signals: Signals,
     events: EventLog,
     faults: Faults,
+    /// A script that the line has not taken yet.
+    fault_script: Option<FaultScript>,
     changes: broadcast::Sender<Change>,
     cycles: u64,
     now: WallTime,
@@ -128,6 +132,7 @@ impl Controller {
             signals: Signals::default(),
             events: EventLog::default(),
             faults: Faults::default(),
+            fault_script: None,
             changes: broadcast::Sender::new(CHANGES_WAITING),
             cycles: 0,
             now: WallTime::default(),
@@ -162,7 +167,7 @@ impl Controller {
         };
         Some(Outgoing {
             session: session.id,
-            message: content.into_message(),
+            message: content.into_message(self.config.egm.messages),
             lost: self.faults.egm_lost,
         })
     }
@@ -181,6 +186,9 @@ impl Controller {
         if self.lead_through.is_soft() {
             if let Some(at) = self.hand.step(egm.cycle_s) {
                 self.arm.place(at);
+            }
+            if let Some(close) = self.hand.grips() {
+                self.turn_signal(GRIPPER_CLOSE, close);
             }
         } else if let Some(session) = &mut self.session {
             if let Err(failure) = session.cycle(datagram, &mut self.arm, &egm, rest_s) {
@@ -240,10 +248,38 @@ impl Controller {
         &self.faults
     }
 
+    /// Lets a script of faults begin.
+    pub fn set_fault_script(&mut self, script: FaultScript) {
+        self.fault_script = Some(script);
+    }
+
+    /// The script that is to begin, once.
+    pub(crate) fn take_fault_script(&mut self) -> Option<FaultScript> {
+        self.fault_script.take()
+    }
+
+    /// Lets a fault of the script happen.
+    pub(crate) fn suffer(&mut self, fault: ControllerFault) {
+        match fault {
+            ControllerFault::GuardStop(open) => self.set_guard_stop(open),
+            ControllerFault::Restart => self.restart(),
+        }
+    }
+
     /// Reports every later change.
     #[must_use]
     pub fn subscribe(&self) -> broadcast::Receiver<Change> {
         self.changes.subscribe()
+    }
+
+    /// What was going on ends without a farewell, and the brakes hold the arm; afterwards all
+    /// counts begin anew. The event log stays, as it does on a real controller.
+    fn restart(&mut self) {
+        self.session = None;
+        self.leave_motors_on(ControllerState::MotorsOff);
+        self.never_stopped = true;
+        self.stream_pause_s = STREAM_PAUSE_S;
+        self.cycles = 0;
     }
 
     fn fail(&mut self, failure: Failure) {

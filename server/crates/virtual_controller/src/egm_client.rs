@@ -12,10 +12,11 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use egm::{MAX_DATAGRAM_BYTES, codec};
+use egm::MAX_DATAGRAM_BYTES;
 
 use crate::clock::WallTime;
-use crate::controller::{Controller, Outgoing};
+use crate::controller::Controller;
+use crate::line::{Line, Parcel};
 use crate::lock;
 
 /// After so much lateness the lost time is dropped: the machine was asleep.
@@ -75,8 +76,10 @@ fn run(controller: &Mutex<Controller>, stop: &AtomicBool) {
             config.egm_remote,
         )
     };
-    let mut link = Link::new(remote);
-    let mut deadline = Instant::now();
+    let epoch = Instant::now();
+    let mut line = Line::default();
+    let mut sockets = Sockets::new(remote);
+    let mut deadline = epoch;
     while !stop.load(Ordering::Relaxed) {
         deadline += period;
         let now = Instant::now();
@@ -87,89 +90,147 @@ fn run(controller: &Mutex<Controller>, stop: &AtomicBool) {
             lock(controller).end_cycle(None);
             deadline += period;
         }
-        thread::sleep(deadline.saturating_duration_since(now));
-        let outgoing = lock(controller).begin_cycle(WallTime::now());
-        let refused = link.send(outgoing);
-        let mut buffer = [0; MAX_DATAGRAM_BYTES];
-        let received = link.receive(&mut buffer);
-        let mut controller = lock(controller);
-        match (refused, received) {
-            (Some(refused), _) | (None, Err(refused)) => {
-                controller.message_refused(refused.session, refused.bytes);
-                controller.end_cycle(None);
-            }
-            (None, Ok(length)) => controller.end_cycle(length.map(|length| &buffer[..length])),
+        let late = Duration::from_micros(line.cycle_delay_us(since(epoch)));
+        let mut refused = send_until(deadline + late, epoch, &mut line, &mut sockets);
+        let now_us = since(epoch);
+        line.begin_cycle(&mut lock(controller), now_us, WallTime::now());
+        refused = refused.or(sockets.send(&mut line, now_us));
+        if let Err(again) = sockets.receive(&mut line, now_us) {
+            refused = refused.or(Some(again));
         }
+        let mut controller = lock(controller);
+        if let Some(refused) = refused {
+            controller.message_refused(refused.session, refused.bytes);
+        }
+        line.end_cycle(&mut controller, now_us);
     }
 }
 
+/// Waits for the next cycle. What the fault script delayed until then goes out meanwhile.
+fn send_until(
+    deadline: Instant,
+    epoch: Instant,
+    line: &mut Line,
+    sockets: &mut Sockets,
+) -> Option<Refused> {
+    let mut refused = None;
+    loop {
+        let departure = line
+            .next_departure_us()
+            .map(|at_us| epoch + Duration::from_micros(at_us))
+            .filter(|departure| *departure < deadline);
+        let until = departure.unwrap_or(deadline);
+        thread::sleep(until.saturating_duration_since(Instant::now()));
+        if departure.is_none() {
+            return refused;
+        }
+        refused = refused.or(sockets.send(line, since(epoch)));
+    }
+}
+
+fn since(epoch: Instant) -> u64 {
+    u64::try_from(epoch.elapsed().as_micros()).unwrap_or(u64::MAX)
+}
+
 /// A message that nobody wanted.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Refused {
     session: u64,
     bytes: usize,
 }
 
-/// The socket of the present session.
-struct Link {
-    remote: SocketAddr,
-    open: Option<(u64, UdpSocket)>,
-    message: Vec<u8>,
+/// An open socket.
+struct Open {
+    number: u64,
+    session: u64,
+    /// Size of the last message sent from it, bytes.
+    bytes: usize,
+    socket: UdpSocket,
 }
 
-impl Link {
+impl Open {
+    fn refused(&self) -> Refused {
+        Refused {
+            session: self.session,
+            bytes: self.bytes,
+        }
+    }
+}
+
+/// The socket of the present session, and older ones from which delayed messages still go out.
+struct Sockets {
+    remote: SocketAddr,
+    open: Vec<Open>,
+}
+
+impl Sockets {
     fn new(remote: SocketAddr) -> Self {
         Self {
             remote,
-            open: None,
-            message: Vec::new(),
+            open: Vec::new(),
         }
     }
 
-    /// Sends a message, on a new socket when it begins a session; closes the socket when there is
-    /// none to send. Returns what was refused.
-    fn send(&mut self, outgoing: Option<Outgoing>) -> Option<Refused> {
-        let Some(outgoing) = outgoing else {
-            self.open = None;
-            return None;
-        };
-        let session = outgoing.session;
-        if codec::encode_robot(&outgoing.message, &mut self.message).is_err() {
-            return None;
+    /// Sends what is due, each from its own socket, and closes the sockets that are not needed any
+    /// more. Returns what was refused.
+    fn send(&mut self, line: &mut Line, now_us: u64) -> Option<Refused> {
+        let mut refused = None;
+        while let Some(parcel) = line.departing(now_us) {
+            refused = refused.or(self.send_one(&parcel));
         }
-        let refused = Refused {
-            session,
-            bytes: self.message.len(),
-        };
-        if self.open.as_ref().is_none_or(|(open, _)| *open != session) {
-            match connect(self.remote) {
-                Ok(socket) => self.open = Some((session, socket)),
-                Err(_) => return Some(refused),
+        if line.next_departure_us().is_none() {
+            let present = line.socket();
+            self.open.retain(|open| present == Some(open.number));
+        }
+        refused
+    }
+
+    fn send_one(&mut self, parcel: &Parcel) -> Option<Refused> {
+        let place = self
+            .open
+            .iter()
+            .position(|open| open.number == parcel.socket);
+        let place = match place {
+            Some(place) => place,
+            None => {
+                let Ok(socket) = connect(self.remote) else {
+                    return Some(Refused {
+                        session: parcel.session,
+                        bytes: parcel.bytes.len(),
+                    });
+                };
+                self.open.push(Open {
+                    number: parcel.socket,
+                    session: parcel.session,
+                    bytes: 0,
+                    socket,
+                });
+                self.open.len() - 1
             }
-        }
-        let (_, socket) = self.open.as_ref()?;
-        if outgoing.lost {
-            return None;
-        }
-        match socket.send(&self.message) {
-            Err(error) if error.kind() == ErrorKind::ConnectionRefused => Some(refused),
+        };
+        let open = &mut self.open[place];
+        open.bytes = parcel.bytes.len();
+        match open.socket.send(&parcel.bytes) {
+            Err(error) if error.kind() == ErrorKind::ConnectionRefused => Some(open.refused()),
             _ => None,
         }
     }
 
-    /// Takes the oldest datagram that waits, if one does.
-    fn receive(&self, buffer: &mut [u8]) -> Result<Option<usize>, Refused> {
-        let Some((session, socket)) = &self.open else {
-            return Ok(None);
-        };
-        match socket.recv(buffer) {
-            Ok(length) => Ok(Some(length)),
-            Err(error) if error.kind() == ErrorKind::ConnectionRefused => Err(Refused {
-                session: *session,
-                bytes: self.message.len(),
-            }),
-            Err(_) => Ok(None),
+    /// Hands the line all datagrams that wait, in their order.
+    fn receive(&self, line: &mut Line, now_us: u64) -> Result<(), Refused> {
+        let mut buffer = [0; MAX_DATAGRAM_BYTES];
+        for open in &self.open {
+            loop {
+                match open.socket.recv(&mut buffer) {
+                    Ok(length) => line.arrived(open.number, now_us, &buffer[..length]),
+                    Err(error) if error.kind() == ErrorKind::ConnectionRefused => {
+                        return Err(open.refused());
+                    }
+                    Err(_) => break,
+                }
+            }
         }
+        Ok(())
     }
 }
 
@@ -201,26 +262,28 @@ mod tests {
         let mut controller = Controller::new(Config::new(remote));
         controller.set_motors(true).unwrap();
         controller.start_program(None).unwrap();
-        let outgoing = (0..PATIENCE)
-            .find_map(|_| {
-                let outgoing = controller.begin_cycle(WallTime::default());
-                controller.end_cycle(None);
-                outgoing
-            })
-            .unwrap();
-        let mut link = Link::new(remote);
-        assert!(link.send(Some(outgoing)).is_none());
+        let mut line = Line::default();
+        let mut sockets = Sockets::new(remote);
+        for cycle in 0..PATIENCE as u64 {
+            line.begin_cycle(&mut controller, cycle, WallTime::default());
+            if line.next_departure_us().is_some() {
+                break;
+            }
+            line.end_cycle(&mut controller, cycle);
+        }
+        assert!(sockets.send(&mut line, u64::MAX).is_none());
         let mut buffer = [0; MAX_DATAGRAM_BYTES];
         let (_, client) = server.recv_from(&mut buffer).unwrap();
         for number in 1..=3 {
             server.send_to(&[number], client).unwrap();
         }
         for number in 1..=3 {
-            let length = (0..PATIENCE)
-                .find_map(|_| link.receive(&mut buffer).ok().flatten())
-                .unwrap();
-            assert_eq!(buffer[..length], [number]);
+            let datagram = (0..PATIENCE).find_map(|_| {
+                sockets.receive(&mut line, 0).unwrap();
+                line.take(0)
+            });
+            assert_eq!(datagram, Some(vec![number]));
         }
-        assert!(matches!(link.receive(&mut buffer), Ok(None)));
+        assert_eq!(line.take(0), None);
     }
 }

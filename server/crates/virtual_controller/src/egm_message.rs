@@ -1,4 +1,4 @@
-//! The message the controller sends each cycle, filled as RobotWare 7 fills it.
+//! The message the controller sends each cycle, filled as RobotWare 7 fills it, or an older one.
 
 use egm::messages::{
     EgmCartesian, EgmClock, EgmCollisionInfo, EgmEuler, EgmFeedBack, EgmHeader, EgmJoints,
@@ -11,6 +11,7 @@ use motion::kinematics::{euler_xyz_deg, tool0};
 use motion::{JOINTS, JointAngles, Orientation};
 
 use crate::clock::WallTime;
+use crate::config::MessageSet;
 
 /// What goes into one message.
 pub struct Content {
@@ -41,7 +42,33 @@ pub struct Content {
 impl Content {
     /// The message with this content.
     #[must_use]
-    pub fn into_message(self) -> EgmRobot {
+    pub fn into_message(self, set: MessageSet) -> EgmRobot {
+        let mut message = self.into_robotware_7();
+        if set == MessageSet::RobotWare7 {
+            return message;
+        }
+        let early = set == MessageSet::EarlyRobotWare6;
+        if let Some(feed_back) = &mut message.feed_back {
+            feed_back.time_stamp = None;
+            feed_back.time = feed_back.time.filter(|_| !early);
+        }
+        if let Some(planned) = &mut message.planned {
+            planned.time_stamp = None;
+            planned.time = planned.time.filter(|_| !early);
+        }
+        if let Some(force) = &mut message.measured_force {
+            force.fc_active = None;
+            force.force_rw6 = std::mem::take(&mut force.force);
+        }
+        message.move_index = None;
+        message.collision_info = None;
+        message.rapid_from_robot = None;
+        message.torque_ref = None;
+        message.utilization_rate = message.utilization_rate.filter(|_| !early);
+        message
+    }
+
+    fn into_robotware_7(self) -> EgmRobot {
         let time = EgmClock {
             sec: self.at.seconds,
             usec: self.at.microseconds.into(),

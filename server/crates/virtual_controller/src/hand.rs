@@ -44,6 +44,8 @@ pub struct Doing {
 pub struct Hand {
     motion: Option<Motion>,
     t_s: f64,
+    /// The other hand works the gripper: close or open it now.
+    grips: Option<bool>,
 }
 
 #[derive(Clone, Debug)]
@@ -61,6 +63,11 @@ impl Hand {
         let start = take.at(0.0);
         let near = from.max_abs_difference(&start) <= ENTER_WITHIN_DEG;
         self.t_s = 0.0;
+        // A take begins with an open gripper; a showing leaves it as it is until it comes to it.
+        self.grips = match action {
+            Action::Return => Some(false),
+            Action::Show => None,
+        };
         self.motion = Some(match action {
             Action::Return => Motion {
                 reach: Some(Reach::new(from, start)),
@@ -88,12 +95,21 @@ impl Hand {
     /// Moves on by `step_s` and returns where the arm is then; nothing while the hand rests.
     pub fn step(&mut self, step_s: f64) -> Option<JointAngles> {
         let motion = self.motion.as_ref()?;
+        let before_s = self.t_s;
         self.t_s += step_s;
         let at = motion.at(self.t_s);
+        self.grips = self.grips.or(motion.grips_between(before_s, self.t_s));
         if self.t_s >= motion.duration_s() {
+            let grips = self.grips;
             self.let_go();
+            self.grips = grips;
         }
         Some(at)
+    }
+
+    /// Whether the gripper is to be closed or opened now; asking takes the wish away.
+    pub fn grips(&mut self) -> Option<bool> {
+        self.grips.take()
     }
 
     /// What the hand is doing.
@@ -114,6 +130,15 @@ impl Motion {
     fn duration_s(&self) -> f64 {
         self.reach.as_ref().map_or(0.0, |reach| reach.duration_s())
             + self.take.as_ref().map_or(0.0, |take| take.duration_s())
+    }
+
+    /// The last thing done to the gripper after `from_s` and until `to_s`.
+    fn grips_between(&self, from_s: f64, to_s: f64) -> Option<bool> {
+        let reach_s = self.reach.as_ref().map_or(0.0, |reach| reach.duration_s());
+        let grips = self.take.as_ref().map_or(&[][..], Take::grips);
+        let mut past = grips.iter().rev();
+        past.find(|(at_s, _)| (from_s..to_s).contains(&(at_s + reach_s)))
+            .map(|(_, close)| *close)
     }
 
     fn at(&self, t_s: f64) -> JointAngles {

@@ -7,6 +7,7 @@ mod accounts;
 mod elog;
 mod guard;
 mod hand;
+mod https;
 mod io;
 mod mastership;
 mod motion_system;
@@ -28,6 +29,8 @@ use tokio::sync::watch;
 
 use crate::controller::Controller;
 use crate::lock;
+pub use https::Identity;
+use https::TlsListener;
 use sessions::Sessions;
 use subscription::Subscriptions;
 
@@ -39,8 +42,8 @@ struct App {
     subscriptions: Arc<Mutex<Subscriptions>>,
     /// Becomes true when the server ends.
     ends: watch::Receiver<bool>,
-    /// `host:port` of this server.
-    authority: Arc<str>,
+    /// Scheme and address of this server's WebSockets, `ws://host:port` or `wss://host:port`.
+    web_sockets: Arc<str>,
 }
 
 impl App {
@@ -57,35 +60,47 @@ impl App {
     }
 }
 
-/// Serves on `listener` until `ends` becomes true.
+/// Serves on `listener` until `ends` becomes true; over HTTPS with an identity.
 pub async fn serve(
     listener: TcpListener,
+    identity: Option<Identity>,
     controller: Arc<Mutex<Controller>>,
     ends: watch::Receiver<bool>,
 ) {
     let authority = match listener.local_addr() {
-        Ok(address) => address.to_string(),
+        Ok(address) => address,
         Err(error) => {
             tracing::error!(%error, "Robot Web Services have no address");
             return;
         }
     };
+    let scheme = if identity.is_some() { "wss" } else { "ws" };
     let app = App {
         controller,
         sessions: Arc::default(),
         subscriptions: Arc::default(),
         ends: ends.clone(),
-        authority: authority.into(),
+        web_sockets: format!("{scheme}://{authority}").into(),
     };
     let mut end = ends;
     let ended = async move {
         // An error means that the controller is gone, which is an end too.
         end.wait_for(|end| *end).await.ok();
     };
-    if let Err(error) = axum::serve(listener, router(app))
-        .with_graceful_shutdown(ended)
-        .await
-    {
+    let outcome = match identity {
+        None => {
+            axum::serve(listener, router(app))
+                .with_graceful_shutdown(ended)
+                .await
+        }
+        Some(identity) => {
+            let listener = TlsListener::new(listener, &identity);
+            axum::serve(listener, router(app))
+                .with_graceful_shutdown(ended)
+                .await
+        }
+    };
+    if let Err(error) = outcome {
         tracing::error!(%error, "Robot Web Services ended");
     }
 }

@@ -49,6 +49,9 @@ impl Signal {
 /// Name of the input that ends an EGM run gracefully: the RAPID program has a trap on it.
 pub const EGM_STOP: &str = "EgmStop";
 
+/// Name of the output that closes the gripper.
+pub const GRIPPER_CLOSE: &str = "GripperClose";
+
 /// All signals.
 #[derive(Clone, Debug)]
 pub struct Signals(Vec<Signal>);
@@ -73,7 +76,7 @@ impl Default for Signals {
             button("Asi1Button1"),
             button("Asi1Button2"),
             free(EGM_STOP, SignalKind::DigitalInput),
-            free("GripperClose", SignalKind::DigitalOutput),
+            free(GRIPPER_CLOSE, SignalKind::DigitalOutput),
         ])
     }
 }

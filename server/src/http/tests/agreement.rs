@@ -156,7 +156,10 @@ async fn a_take_that_nothing_can_be_learnt_from_is_named_and_the_others_are_comp
         state: DemonstrationState::Recorded,
         source: DemonstrationSource::HandGuiding,
     };
-    let stored = api.state.store.store_demonstration(new, &still, "", NOW);
+    let stored = api
+        .state
+        .store
+        .store_demonstration(new, &still, &[], "", NOW);
     stored.await.unwrap();
     for nod_deg in [0.5, -0.5] {
         api.kept(&task, turn(nod_deg)).await;

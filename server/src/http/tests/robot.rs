@@ -28,6 +28,13 @@ async fn without_an_arm_everything_but_stop_is_refused() {
     api.post("/api/v1/robot/virtual-hand", hand)
         .await
         .problem(409, "no_robot");
+    let gripper = "/api/v1/robot/signals/GripperClose";
+    api.post(gripper, json!({"on": true}))
+        .await
+        .problem(409, "no_robot");
+    api.post(gripper, json!({"on": 1}))
+        .await
+        .problem(422, "bad_field");
     let hand = json!({"action": "wave", "script": "f1"});
     api.post("/api/v1/robot/virtual-hand", hand)
         .await

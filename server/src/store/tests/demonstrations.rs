@@ -4,6 +4,7 @@ use super::super::Error;
 use super::super::demonstrations::{Decision, DemonstrationState};
 use super::super::recordings::{Closing, Gap, NewSamples};
 use super::super::samples::Sample;
+use super::super::signals::SignalEvent;
 use super::{NOW, new_demonstration, samples, store, task};
 use crate::ids::DemonstrationId;
 
@@ -12,6 +13,7 @@ fn chunk(seq: usize, samples: &[Sample]) -> NewSamples<'_> {
         seq,
         samples,
         gaps: &[],
+        signals: &[],
     }
 }
 
@@ -177,7 +179,7 @@ async fn a_file_is_stored_whole_with_its_tool_positions() {
         row.tcp_mm = Some([1.0, 2.0, row.at_us as f64]);
     }
     let stored = store
-        .store_demonstration(new, &rows, "from a file", NOW)
+        .store_demonstration(new, &rows, &[], "from a file", NOW)
         .await
         .unwrap();
     assert_eq!((stored.samples, stored.usable), (4_000, true));
@@ -201,4 +203,31 @@ async fn a_rotten_chunk_is_noticed() {
         .unwrap();
     let damaged = store.samples(new.id).await;
     assert!(matches!(damaged, Err(Error::Damaged { .. })));
+}
+
+#[tokio::test]
+async fn what_was_done_with_signals_survives_a_crash_with_the_samples_beside_it() {
+    let (store, _folder) = store().await;
+    let new = new_demonstration(task(&store).await);
+    store.create_demonstration(new, NOW).await.unwrap();
+    let event = |at_us, on| SignalEvent {
+        at_us,
+        name: "GripperClose".into(),
+        on,
+    };
+    let (first, second) = ([event(0, false)], [event(120_000, true)]);
+    let rows = samples(0, 20);
+    let with = |seq, signals| NewSamples {
+        signals,
+        ..chunk(seq, &rows)
+    };
+    store.append_samples(new.id, with(0, &first)).await.unwrap();
+    store
+        .append_samples(new.id, with(1, &second))
+        .await
+        .unwrap();
+    store.recover_recordings("cut off").await.unwrap();
+    let told = store.signals(new.id).await.unwrap();
+    assert_eq!(told, [first, second].concat());
+    assert_eq!(store.signals(DemonstrationId::new()).await.unwrap(), []);
 }

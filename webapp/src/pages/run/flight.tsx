@@ -5,6 +5,7 @@ import { flightFile, getFlight, getFlightEvents } from "../../api/endpoints";
 import type { Flight, FlightEvent, Reproduction } from "../../api/types";
 import { Icon } from "../../components/icon";
 import { LoadNotice } from "../../components/notice";
+import { SignalTimes } from "../../components/signal-times";
 import { duration } from "../../format/numbers";
 import { timesWithExtremes, valuesWithExtremes } from "../../plots/extremes";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
@@ -41,7 +42,14 @@ function Drawn({ flight }: { flight: Flight }) {
   return (
     <>
       <Replay flight={flight} time={time} />
-      <JointPanels title={t.run.measuredPlot} timesS={timesS} layers={layers} cursor={time} />
+      <JointPanels
+        title={t.run.measuredPlot}
+        timesS={timesS}
+        layers={layers}
+        signalsS={flight.signals.map((signal) => signal.at_s)}
+        cursor={time}
+      />
+      <SignalTimes title={t.signals.done} marks={flight.signals} />
       <TrackingError
         timesS={flight.t_s}
         errorsDeg={flight.error_max_deg}

@@ -8,6 +8,7 @@ import { Button, ButtonLink } from "../../components/button";
 import { Figures } from "../../components/figures";
 import { Notice, ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
+import { SignalTimes } from "../../components/signal-times";
 import { duration, fixed } from "../../format/numbers";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
 import { reproductions } from "../../state/entities";
@@ -92,8 +93,10 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
         title={t.run.planPlot}
         timesS={plan.t_s}
         layers={layers}
+        signalsS={plan.signals.map((signal) => signal.at_s)}
         {...(plan.approach_s > 0 ? { markS: plan.approach_s } : {})}
       />
+      <SignalTimes title={t.signals.planned} marks={plan.signals} />
     </Page>
   );
 }

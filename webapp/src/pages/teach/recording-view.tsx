@@ -3,6 +3,7 @@ import { useRef } from "preact/hooks";
 import type { Demonstration } from "../../api/types";
 import { OfflineNotice } from "../../components/offline-notice";
 import { Icon } from "../../components/icon";
+import { SignalButtons } from "../../components/signal-buttons";
 import { duration } from "../../format/numbers";
 import { LiveTraces } from "../../plots/live-traces";
 import { connection, nowMs } from "../../state/live";
@@ -32,6 +33,7 @@ export function RecordingView({ take }: { take: Demonstration }) {
         <Elapsed take={take} />
         <p>{take.source === "virtual_hand" ? t.teach.leadVirtual : t.teach.lead}</p>
       </div>
+      <SignalButtons />
       <LiveTraces />
     </>
   );

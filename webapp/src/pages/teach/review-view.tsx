@@ -2,9 +2,10 @@
 import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { getTrajectory } from "../../api/endpoints";
-import type { Demonstration, Trajectory } from "../../api/types";
+import type { Demonstration, SignalMark, Trajectory } from "../../api/types";
 import { Figures } from "../../components/figures";
 import { LoadNotice, Notice } from "../../components/notice";
+import { SignalTimes } from "../../components/signal-times";
 import { duration, fixed } from "../../format/numbers";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
 import { counts, useAgreement } from "../../state/agreement";
@@ -37,7 +38,17 @@ export function ReviewView({ take }: { take: Demonstration }) {
         </Notice>
       )}
       <LoadNotice load={load} empty={shown === null} />
-      {shown && <JointPanels title={t.teach.tracePlot} timesS={shown.t_s} layers={layers} />}
+      {shown && (
+        <>
+          <JointPanels
+            title={t.teach.tracePlot}
+            timesS={shown.t_s}
+            layers={layers}
+            signalsS={shown.signals.filter(isChange).map((signal) => signal.at_s)}
+          />
+          <SignalTimes title={t.signals.recorded} marks={shown.signals.filter(isChange)} />
+        </>
+      )}
       <Figures
         list={[
           [t.teach.figures.duration, duration(take.duration_s)],
@@ -50,6 +61,9 @@ export function ReviewView({ take }: { take: Demonstration }) {
     </>
   );
 }
+
+/** At 0 it is only said how a signal stood at the beginning. */
+const isChange = (mark: SignalMark) => mark.at_s > 0;
 
 /** What this take adds to the others. */
 function Advice({ take }: { take: Demonstration }) {

@@ -1,6 +1,7 @@
 //! What a person would notice of the session rules: when the arm may move, and from where.
 
 use super::*;
+use crate::messages::MessageType;
 use crate::wire::ClockTime;
 
 const CYCLE_US: u64 = 4_032;
@@ -16,6 +17,7 @@ pub(super) fn config() -> SessionConfig {
         late_after_us: 10_000,
         max_lost: 25,
         max_advance_us: 16_000,
+        brake_us: 1_500_000,
         max_speed_deg_s: [125.0, 125.0, 140.0, 200.0, 200.0, 200.0],
     }
 }
@@ -89,23 +91,39 @@ fn setpoints_pass_once_armed_and_stop_when_disarmed() {
     assert_eq!(answer.correction.joints, near_home(0.1).joints);
 }
 
+fn stranger() -> SocketAddr {
+    SocketAddr::from(([127, 0, 0, 1], 7000))
+}
+
+/// A session at message 5.
+fn at_five(armed: bool) -> Session {
+    let mut session = Session::new(config());
+    session.receive(&running(5), 0, controller()).unwrap();
+    assert!(!armed || session.arm());
+    session
+        .answer(Some(&near_home(0.0)), ControllerTime(0))
+        .unwrap();
+    session
+}
+
 #[test]
-fn every_odd_beginning_disarms_and_starts_from_the_measured_pose() {
-    let other = SocketAddr::from(([127, 0, 0, 1], 7000));
+fn a_beginning_starts_from_the_measured_pose() {
     let cases = [
-        (0, CYCLE_US, controller(), Beginning::Restarted),
-        (4, CYCLE_US, controller(), Beginning::WentBack),
-        (500, CYCLE_US, controller(), Beginning::SequenceJumped),
-        (6, CYCLE_US, other, Beginning::SourceChanged),
-        (6, 200_000, controller(), Beginning::Silence),
+        (0, CYCLE_US, controller(), Beginning::Restarted, true),
+        (6, 200_000, controller(), Beginning::Silence, true),
+        (6, 200_000, stranger(), Beginning::SourceChanged, true),
+        (4, CYCLE_US, controller(), Beginning::WentBack, false),
+        (
+            500,
+            CYCLE_US,
+            controller(),
+            Beginning::SequenceJumped,
+            false,
+        ),
+        (6, CYCLE_US, stranger(), Beginning::SourceChanged, false),
     ];
-    for (sequence, wait_us, source, beginning) in cases {
-        let mut session = Session::new(config());
-        session.receive(&running(5), 0, controller()).unwrap();
-        assert!(session.arm());
-        session
-            .answer(Some(&near_home(0.0)), ControllerTime(0))
-            .unwrap();
+    for (sequence, wait_us, source, beginning, armed) in cases {
+        let mut session = at_five(armed);
         let received = session
             .receive(&running(sequence), wait_us, source)
             .unwrap();
@@ -115,7 +133,121 @@ fn every_odd_beginning_disarms_and_starts_from_the_measured_pose() {
             .answer(Some(&near_home(0.1)), ControllerTime(0))
             .unwrap();
         assert_eq!(answer.correction.joints, HOME, "{beginning:?}");
+        assert!(answer.held.is_some());
     }
+}
+
+#[test]
+fn what_is_odd_about_an_armed_session_lets_the_arm_come_to_rest_and_no_further() {
+    let blind = RobotFeedback {
+        feedback: None,
+        ..running(6)
+    };
+    let stateless = RobotFeedback {
+        mci_state: None,
+        ..running(6)
+    };
+    let elsewhere = RobotFeedback {
+        feedback: Some(near_home(40.0).joints),
+        ..running(6)
+    };
+    let cases = [
+        (running(4), Hold::OutOfOrder),
+        (running(500), Hold::Gap),
+        (blind, Hold::Incomplete),
+        (stateless, Hold::Incomplete),
+        (elsewhere, Hold::Implausible),
+        (running(5), Hold::OutOfOrder),
+    ];
+    for (odd, hold) in cases {
+        let mut session = at_five(true);
+        let received = session.receive(&odd, CYCLE_US, controller()).unwrap();
+        assert_eq!((received.began, received.hold), (None, Some(hold)));
+        assert_eq!(received.measured, HOME, "{hold:?}");
+        assert!(received.brakes && received.may_be_commanded, "{hold:?}");
+        assert!(!session.is_armed());
+        // A message that is older than the one before takes no time.
+        let way_deg = if odd == running(4) { 0.0 } else { 0.01 };
+        let braked = near_home(way_deg);
+        let answer = session.answer(Some(&braked), ControllerTime(0)).unwrap();
+        assert_eq!(
+            (answer.correction.joints, answer.held),
+            (braked.joints, None)
+        );
+        // The time to brake is over while the messages go on.
+        let mut at_us = CYCLE_US;
+        let mut sequence = 500;
+        while at_us < 2 * config().brake_us {
+            at_us += CYCLE_US;
+            sequence += 1;
+            session
+                .receive(&running(sequence), at_us, controller())
+                .unwrap();
+            session.answer(None, ControllerTime(0)).unwrap();
+        }
+        let answer = session
+            .answer(Some(&near_home(0.1)), ControllerTime(0))
+            .unwrap();
+        assert!(answer.held.is_some(), "{hold:?}");
+    }
+}
+
+#[test]
+fn another_robot_at_the_same_port_is_told_its_own_pose_and_stops_the_motion() {
+    let mut session = at_five(true);
+    let other = RobotFeedback {
+        feedback: Some(near_home(30.0).joints),
+        ..running(77)
+    };
+    for sequence in 0..2 {
+        let received = session.receive(&other, CYCLE_US, stranger()).unwrap();
+        assert_eq!(received.hold, Some(Hold::Stranger));
+        assert!(session.is_visited());
+        let answer = session
+            .answer(Some(&near_home(0.1)), ControllerTime(0))
+            .unwrap();
+        assert_eq!(answer.correction.joints, near_home(30.0).joints);
+        assert_eq!(answer.correction.velocities, JointVelocities::ZERO);
+        assert_eq!(answer.correction.sequence, SequenceNumber(sequence));
+        assert_eq!(answer.held, Some(Hold::Stranger));
+    }
+    assert!(!session.is_armed());
+    // The arm that moves is still led to rest.
+    let received = session
+        .receive(&running(6), 2 * CYCLE_US, controller())
+        .unwrap();
+    assert_eq!((received.began, received.brakes), (None, true));
+    assert!(!session.is_visited());
+    let braked = near_home(0.01);
+    let answer = session.answer(Some(&braked), ControllerTime(0)).unwrap();
+    assert_eq!(answer.correction.joints, braked.joints);
+}
+
+#[test]
+fn an_arm_whose_messages_go_on_from_another_port_is_led_to_rest() {
+    let mut session = at_five(true);
+    let received = session.receive(&running(6), CYCLE_US, stranger()).unwrap();
+    assert_eq!((received.began, received.hold), (None, Some(Hold::Moved)));
+    let braked = near_home(0.01);
+    let answer = session.answer(Some(&braked), ControllerTime(0)).unwrap();
+    assert_eq!(answer.correction.joints, braked.joints);
+    let received = session
+        .receive(&running(7), 2 * CYCLE_US, stranger())
+        .unwrap();
+    assert_eq!((received.hold, received.brakes), (None, true));
+    assert!(!session.is_armed());
+}
+
+#[test]
+fn time_that_does_not_fit_the_number_of_messages_is_not_believed() {
+    let mut session = at_five(false);
+    let mut jumped = running(6);
+    jumped.feedback_time = Some(ClockTime {
+        seconds: 0,
+        microseconds: 5 * CYCLE_US + 36_000,
+    });
+    session.receive(&jumped, 40_000, controller()).unwrap();
+    assert!((4_000..=4_100).contains(&session.pending_us()));
 }
 
 #[test]
@@ -155,7 +287,7 @@ fn the_counter_may_wrap_but_a_restart_is_still_seen() {
 #[test]
 fn commands_need_motors_program_and_guidance() {
     type Change = fn(&mut RobotFeedback);
-    let cases: [(Change, bool); 7] = [
+    let cases: [(Change, bool); 6] = [
         (|_| (), true),
         (
             |robot| robot.rapid_exec_state = Some(RapidExecState::Undefined),
@@ -171,7 +303,6 @@ fn commands_need_motors_program_and_guidance() {
         ),
         (|robot| robot.mci_state = Some(MciState::Stopped), false),
         (|robot| robot.mci_state = Some(MciState::Error), false),
-        (|robot| robot.motor_state = None, false),
     ];
     for (change, allowed) in cases {
         let (mut session, at_us) = begun();
@@ -212,13 +343,12 @@ fn a_setpoint_that_jumps_or_is_no_number_is_refused_and_disarms() {
 }
 
 #[test]
-fn a_message_without_a_pose_is_answered_with_the_last_reference() {
-    let (mut session, at_us) = begun();
-    assert!(session.arm());
+fn a_message_without_a_pose_begins_nothing_and_does_not_let_go_of_the_arm() {
     let blind = RobotFeedback {
         feedback: None,
         ..running(1)
     };
+    let (mut session, at_us) = begun();
     session.receive(&blind, at_us, controller()).unwrap();
     let answer = session
         .answer(Some(&near_home(0.1)), ControllerTime(0))
@@ -235,9 +365,8 @@ fn a_message_without_a_pose_is_answered_with_the_last_reference() {
 fn rubbish_from_elsewhere_does_not_disturb_the_session() {
     let (mut session, at_us) = begun();
     assert!(session.arm());
-    let stranger = SocketAddr::from(([127, 0, 0, 1], 7000));
     assert_eq!(
-        session.receive(&RobotFeedback::default(), at_us, stranger),
+        session.receive(&RobotFeedback::default(), at_us, stranger()),
         None
     );
     assert!(session.is_armed());

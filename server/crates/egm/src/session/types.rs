@@ -10,11 +10,14 @@ pub struct SessionConfig {
     pub timeout_us: u64,
     /// Time between two messages from which on the later one counts as late, µs.
     pub late_after_us: u64,
-    /// Messages that may be missing in a row without a new session.
+    /// Messages that may be missing in a row without an armed session being braked.
     pub max_lost: i32,
-    /// By how much the reference's time may advance from one answer to the next, µs. After lost
-    /// messages the motion goes on where it was instead of making up for the loss.
+    /// By how much the reference's time may advance from one answer to the next, µs. The arm
+    /// went on while messages were lost, and the reference with it.
     pub max_advance_us: u64,
+    /// How long setpoints are let through after something odd, so that the arm comes to rest on
+    /// its path instead of being held at once, µs.
+    pub brake_us: u64,
     /// Largest speed of a reference, joints 1 to 6, deg/s.
     pub max_speed_deg_s: [f64; 6],
 }
@@ -57,8 +60,20 @@ pub enum Hold {
     NoSetpoint,
     /// The controller does not apply references at present.
     NotApplied,
-    /// The message lacks the measured pose or its number, or does not come from a robot.
+    /// The message lacks the measured pose, its number or the states, or does not come from a
+    /// robot.
     Incomplete,
+    /// More messages were lost than may be.
+    Gap,
+    /// The number of the message is not higher than that of the one before, and it is no copy
+    /// that came right behind it.
+    OutOfOrder,
+    /// The messages go on from another address.
+    Moved,
+    /// The measured pose is farther from the last one than the arm can have gone.
+    Implausible,
+    /// Another address sends messages of a robot.
+    Stranger,
     /// The setpoint is NaN or infinite.
     NotFinite,
     /// The setpoint is farther from the last one than the arm can go meanwhile.
@@ -80,6 +95,8 @@ pub struct Received {
     pub motors_on: bool,
     /// What is odd about this message.
     pub hold: Option<Hold>,
+    /// Setpoints still go through, for the arm to be brought to rest.
+    pub brakes: bool,
     /// Messages missing right before this one.
     pub lost: u32,
     /// It came late.

@@ -24,6 +24,19 @@ pub struct Barycentre {
     pub aligned: Aligned,
     /// Each demonstration's own time (without its idle start) at each common time.
     pub clocks_s: Vec<Vec<f64>>,
+    /// Where on its own clock each demonstration's idle start ends.
+    pub origins_s: Vec<f64>,
+}
+
+impl Barycentre {
+    /// Each demonstration's own time, on its own clock, at each common time.
+    pub fn recorded_s(&self) -> Vec<Vec<f64>> {
+        self.clocks_s
+            .iter()
+            .zip(&self.origins_s)
+            .map(|(clock, origin)| clock.iter().map(|t| t + origin).collect())
+            .collect()
+    }
 }
 
 /// Aligns the demonstrations to their barycentre, at `rate_hz`.
@@ -91,6 +104,7 @@ pub fn align_to_mean(
     Ok(Barycentre {
         aligned,
         clocks_s: clocks,
+        origins_s: active.iter().map(|recorded| recorded.origin_s).collect(),
     })
 }
 
@@ -99,8 +113,10 @@ pub fn steps(m: usize) -> usize {
     m * (m - 1) / 2 + PASSES * m
 }
 
-/// The active part of a demonstration, its clock from 0.
+/// The active part of a demonstration, its clock from 0. Working a signal is activity as
+/// much as moving is: a hand that waits while the gripper closes waits on purpose.
 struct Recorded {
+    origin_s: f64,
     times_s: Vec<f64>,
     joints_deg: Path,
     tool: Option<Path>,
@@ -112,7 +128,11 @@ impl Recorded {
         let (path, times) = (demonstration.joints_deg(), demonstration.times_s());
         let n = path.len();
         let moving = demonstration.moving();
-        let (begins, ends) = (times[*moving.start()], times[*moving.end()]);
+        let worked = demonstration.signal_changes();
+        let (begins, ends) = worked.iter().fold(
+            (times[*moving.start()], times[*moving.end()]),
+            |(begins, ends), event| (begins.min(event.at_s), ends.max(event.at_s)),
+        );
         let first = times.partition_point(|&t| t < begins - MARGIN_S).min(n - 2);
         let last = times
             .partition_point(|&t| t <= ends + MARGIN_S)
@@ -122,6 +142,7 @@ impl Recorded {
             .tool_path_mm()
             .map(|tool| Path::from_rows(3, &tool[first..last]));
         Recorded {
+            origin_s: origin,
             times_s: times[first..last].iter().map(|t| t - origin).collect(),
             joints_deg: Path::from_rows(path.width(), (first..last).map(|i| path.row(i))),
             tool,

@@ -6,13 +6,14 @@ use serde::{
     de::{MapAccess, Visitor},
 };
 
-use crate::{Demonstration, Error};
+use crate::{Demonstration, Error, SignalEvent};
 
 /// Marks our own files.
 pub const FORMAT: &str = "team-demonstration";
 
 /// Our own form: `{"format": "team-demonstration", "version": 1, "t_s": [n],
-/// "joints_deg": [n][d], "tcp_mm": [n][3] (optional)}`.
+/// "joints_deg": [n][d], "tcp_mm": [n][3] (optional),
+/// "signals": [{"name": "GripperClose", "at_s": 1.5, "on": true}] (optional)}`.
 #[derive(Deserialize)]
 struct Own {
     version: u32,
@@ -20,6 +21,8 @@ struct Own {
     joints_deg: Vec<Vec<f64>>,
     #[serde(default)]
     tcp_mm: Option<Vec<[f64; 3]>>,
+    #[serde(default)]
+    signals: Vec<SignalEvent>,
 }
 
 /// Columns in the order of the file. The paper's recordings are read by position:
@@ -62,7 +65,8 @@ pub fn from_json_str(name: &str, text: &str) -> Result<Demonstration, Error> {
         if own.version != 1 {
             return Err(unreadable(format!("version {} is not known", own.version)));
         }
-        return Demonstration::new(name.into(), own.t_s, own.joints_deg, own.tcp_mm);
+        return Demonstration::new(name.into(), own.t_s, own.joints_deg, own.tcp_mm)?
+            .with_signals(own.signals);
     }
     from_columns(name, entries)
 }

@@ -10,6 +10,7 @@ use crate::{
     regression::{Course, Ends, Regression},
     rng::Stream,
     selection::{self, LeftOut, Stability},
+    signals::{self, ModelSignal},
 };
 
 const STREAM_MIXTURE: u64 = 2;
@@ -31,6 +32,8 @@ pub struct Encoding {
     /// Mean of the aligned demonstrations.
     pub middle_deg: Path,
     pub agreement: Agreement,
+    /// The signals that the demonstrations work alike.
+    pub signals: Vec<ModelSignal>,
 }
 
 /// The paper: one reference, k by the stability of random halves, EM from k-means.
@@ -41,7 +44,8 @@ pub fn by_the_paper(
 ) -> Result<Encoding, Error> {
     let m = demonstrations.len();
     let counter = Counter::begin(progress, Stage::Alignment, m * (m - 1) / 2 + m - 1)?;
-    let aligned = alignment::align(demonstrations, params.rate_hz, &mut |_, _| counter.step())?;
+    let (aligned, clocks_s) =
+        alignment::align_with_clocks(demonstrations, params.rate_hz, &mut |_, _| counter.step())?;
     let (values, width) = all_rows(&aligned);
     let rows = Rows::new(width, &values);
 
@@ -70,6 +74,7 @@ pub fn by_the_paper(
         left_out: Vec::new(),
         mixture,
         agreement: agreement(demonstrations, &aligned),
+        signals: signals::learned(demonstrations, &aligned.t_s, &clocks_s, &course),
         middle_deg: barycentre::mean_of(&aligned.joints_deg),
         course,
         regression,
@@ -135,6 +140,12 @@ pub fn faithfully(
         left_out: tried.into_iter().map(|t| t.left_out).collect(),
         mixture: fitted.mixture,
         agreement: agreement(demonstrations, &aligned),
+        signals: signals::learned(
+            demonstrations,
+            &aligned.t_s,
+            &barycentre.recorded_s(),
+            &course,
+        ),
         middle_deg: barycentre::mean_of(&aligned.joints_deg),
         course,
         regression: fitted.regression,

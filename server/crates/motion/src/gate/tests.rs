@@ -18,6 +18,7 @@ fn minimum_jerk(travel_deg: f64, duration_s: f64) -> ProposedMotion {
         period_s: DT,
         approach_samples: 0,
         joints,
+        signals: Vec::new(),
     }
 }
 

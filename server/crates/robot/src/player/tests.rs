@@ -4,11 +4,22 @@ use super::*;
 use crate::testing::{HOME, line_plan, minimum_jerk_plan};
 
 const CYCLE_S: f64 = 0.004_032;
+const GO: Orders = Orders {
+    stop: false,
+    pause: false,
+    speed: 1.0,
+};
+const STOP: Orders = Orders { stop: true, ..GO };
+const PAUSE: Orders = Orders { pause: true, ..GO };
 
 fn player() -> Player {
     let plan = Arc::new(line_plan());
     let first = plan.first();
-    Player::new(plan, first).unwrap()
+    begin(plan, first).unwrap()
+}
+
+fn begin(plan: Arc<Plan>, reference: JointAngles) -> Result<Player, f64> {
+    Player::new(plan, reference, &RobotLimits::gofa5())
 }
 
 /// Runs to the end with an arm that follows exactly, collecting every step.
@@ -16,8 +27,12 @@ fn walk(player: &mut Player, stop_at_step: Option<usize>) -> Vec<PlayerStep> {
     let mut measured = player.commanded;
     let mut steps = Vec::new();
     for index in 0..5_000 {
-        let stop = stop_at_step == Some(index);
-        let step = player.advance(CYCLE_S, &measured, stop);
+        let orders = if stop_at_step == Some(index) {
+            STOP
+        } else {
+            GO
+        };
+        let step = player.advance(CYCLE_S, &measured, orders);
         measured = step.setpoint.joints;
         steps.push(step);
         if step.end.is_some() {
@@ -30,7 +45,7 @@ fn walk(player: &mut Player, stop_at_step: Option<usize>) -> Vec<PlayerStep> {
 #[test]
 fn it_follows_the_plan_exactly_and_completes() {
     let mut player = player();
-    let plan = Arc::clone(&player.plan);
+    let plan = Arc::clone(&player.way.plan);
     let steps = walk(&mut player, None);
     for (index, step) in steps.iter().enumerate() {
         let t_s = ((index + 1) as f64 * CYCLE_S).min(plan.duration_s());
@@ -48,11 +63,11 @@ fn it_follows_the_plan_exactly_and_completes() {
 fn a_stop_comes_to_rest_on_the_path_within_its_time() {
     for stop_at in [0, 20, 150, 248, 400] {
         let mut player = player();
-        let plan = Arc::clone(&player.plan);
+        let plan = Arc::clone(&player.way.plan);
         let steps = walk(&mut player, Some(stop_at));
         assert_eq!(steps.last().unwrap().end, Some(PlayerEnd::Stopped));
         let ramp = &steps[stop_at..];
-        assert!((ramp.len() as f64) * CYCLE_S <= STOP_S + CYCLE_S);
+        assert!((ramp.len() as f64) * CYCLE_S <= 0.4);
         let rest = steps.last().unwrap().setpoint;
         assert!(rest.velocities.0.iter().all(|speed| speed.abs() < 1e-9));
         let mut previous = plan.at(stop_at as f64 * CYCLE_S);
@@ -89,11 +104,11 @@ fn a_small_distance_to_the_start_is_closed_gently_first() {
     let plan = Arc::new(line_plan());
     let mut reference = plan.first();
     reference.0[2] += 0.9;
-    let mut player = Player::new(Arc::clone(&plan), reference).unwrap();
+    let mut player = begin(Arc::clone(&plan), reference).unwrap();
     let mut previous = reference;
     let mut measured = reference;
     loop {
-        let step = player.advance(CYCLE_S, &measured, false);
+        let step = player.advance(CYCLE_S, &measured, GO);
         if step.plan_t_s > 0.0 {
             break;
         }
@@ -111,17 +126,17 @@ fn an_arm_that_was_moved_away_is_refused() {
     let plan = Arc::new(line_plan());
     let mut reference = plan.first();
     reference.0[4] += 1.5;
-    let distance = Player::new(Arc::clone(&plan), reference).unwrap_err();
+    let distance = begin(Arc::clone(&plan), reference).unwrap_err();
     assert!((distance - 1.5).abs() < 1e-9);
-    assert!(Player::new(plan, JointAngles([f64::NAN; 6])).is_err());
+    assert!(begin(plan, JointAngles([f64::NAN; 6])).is_err());
 }
 
 #[test]
 fn an_arm_that_does_not_follow_ends_the_run() {
     let plan = Arc::new(minimum_jerk_plan([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], 3.0));
-    let mut player = Player::new(plan, HOME).unwrap();
+    let mut player = begin(plan, HOME).unwrap();
     for _ in 0..5_000 {
-        let step = player.advance(CYCLE_S, &HOME, false);
+        let step = player.advance(CYCLE_S, &HOME, GO);
         if let Some(end) = step.end {
             let PlayerEnd::NotFollowing {
                 joint: 0,
@@ -139,7 +154,7 @@ fn an_arm_that_does_not_follow_ends_the_run() {
 
 #[test]
 fn a_measured_pose_that_is_no_number_ends_the_run() {
-    let step = player().advance(CYCLE_S, &JointAngles([f64::NAN; 6]), false);
+    let step = player().advance(CYCLE_S, &JointAngles([f64::NAN; 6]), GO);
     assert!(matches!(step.end, Some(PlayerEnd::NotFollowing { .. })));
 }
 
@@ -147,13 +162,13 @@ fn a_measured_pose_that_is_no_number_ends_the_run() {
 fn it_waits_for_a_lagging_arm_but_not_for_ever() {
     let plan = Arc::new(line_plan());
     for (offset_deg, arrives) in [(0.3, true), (0.7, false)] {
-        let mut player = Player::new(Arc::clone(&plan), plan.first()).unwrap();
+        let mut player = begin(Arc::clone(&plan), plan.first()).unwrap();
         let mut cycles = 0_u32;
         let end = loop {
             let mut measured = player.commanded;
             measured.0[1] += offset_deg;
             cycles += 1;
-            if let Some(end) = player.advance(CYCLE_S, &measured, false).end {
+            if let Some(end) = player.advance(CYCLE_S, &measured, GO).end {
                 break end;
             }
         };
@@ -163,5 +178,76 @@ fn it_waits_for_a_lagging_arm_but_not_for_ever() {
             "{waited_s}"
         );
         assert_eq!(end == PlayerEnd::Completed, arrives);
+    }
+}
+
+/// Steps under the same orders.
+fn steps(player: &mut Player, orders: Orders, count: usize) -> Vec<PlayerStep> {
+    (0..count)
+        .map(|_| {
+            let measured = player.commanded;
+            player.advance(CYCLE_S, &measured, orders)
+        })
+        .collect()
+}
+
+#[test]
+fn a_pause_stands_on_the_path_and_goes_on_from_there() {
+    let mut player = player();
+    steps(&mut player, GO, 150);
+    let paused = *steps(&mut player, PAUSE, 300).last().unwrap();
+    assert_eq!(paused.phase, RunPhase::Paused);
+    assert_eq!(paused.end, None);
+    let plan = Arc::clone(&player.way.plan);
+    assert_eq!(paused.setpoint.joints, plan.at(paused.plan_t_s).joints);
+    assert!(paused.plan_t_s > 0.0 && paused.plan_t_s < plan.duration_s());
+    let on = steps(&mut player, GO, 1);
+    assert!(on[0].plan_t_s > paused.plan_t_s && on[0].plan_t_s < paused.plan_t_s + CYCLE_S);
+    let end = walk(&mut player, None);
+    assert_eq!(end.last().unwrap().end, Some(PlayerEnd::Completed));
+    assert_eq!(end.last().unwrap().setpoint.joints, plan.last());
+}
+
+#[test]
+fn a_pause_that_is_forgotten_ends_the_run() {
+    let mut player = player();
+    steps(&mut player, GO, 150);
+    let mut waited_s = 0.0;
+    loop {
+        let step = steps(&mut player, PAUSE, 1)[0];
+        waited_s += CYCLE_S;
+        if let Some(end) = step.end {
+            assert_eq!(end, PlayerEnd::Stopped);
+            break;
+        }
+        assert!(waited_s < LONGEST_PAUSE_S + 2.0);
+    }
+    assert!(waited_s > LONGEST_PAUSE_S);
+}
+
+#[test]
+fn a_stop_cannot_be_taken_back() {
+    let mut player = player();
+    steps(&mut player, GO, 150);
+    steps(&mut player, STOP, 1);
+    let rest = steps(&mut player, GO, 200);
+    assert!(rest.iter().any(|step| step.end == Some(PlayerEnd::Stopped)));
+}
+
+#[test]
+fn at_half_speed_the_same_path_takes_twice_as_long() {
+    let half = Orders { speed: 0.5, ..GO };
+    let mut player = player();
+    let plan = Arc::clone(&player.way.plan);
+    steps(&mut player, half, 100);
+    let before = player.way_s;
+    let taken = steps(&mut player, half, 100);
+    assert!((player.way_s - before - 50.0 * CYCLE_S).abs() < 1e-9);
+    for step in taken {
+        let planned = plan.at(step.plan_t_s);
+        assert_eq!(step.setpoint.joints, planned.joints);
+        for (speed, full) in step.setpoint.velocities.0.iter().zip(planned.velocities.0) {
+            assert!((speed - 0.5 * full).abs() < 1e-9);
+        }
     }
 }

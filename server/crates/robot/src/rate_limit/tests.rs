@@ -1,7 +1,7 @@
 //! Legal motions pass unchanged, everything else becomes a movement.
 
 use super::*;
-use crate::player::{Player, STOP_S};
+use crate::player::{Orders, Player};
 use crate::testing::{line_plan, minimum_jerk_plan};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -17,16 +17,21 @@ fn limits() -> RobotLimits {
 fn assert_unchanged(plan: motion::plan::Plan, steps_s: &[f64], stop_at_s: f64) {
     let plan = Arc::new(plan);
     let mut limiter = RateLimiter::new(&limits(), plan.first());
-    let mut player = Player::new(Arc::clone(&plan), plan.first()).unwrap();
+    let mut player = Player::new(Arc::clone(&plan), plan.first(), &limits()).unwrap();
     let mut now_s = 0.0;
     let mut measured = plan.first();
     for step_s in steps_s.iter().cycle() {
         now_s += step_s;
-        let step = player.advance(*step_s, &measured, now_s >= stop_at_s);
+        let orders = Orders {
+            stop: now_s >= stop_at_s,
+            pause: false,
+            speed: 1.0,
+        };
+        let step = player.advance(*step_s, &measured, orders);
         let limited = limiter.limit(&step.setpoint, *step_s);
         assert_eq!(limited, step.setpoint, "at {now_s} s");
         measured = limited.joints;
-        if step.end.is_some() || now_s > stop_at_s + STOP_S + 1.0 {
+        if step.end.is_some() || now_s > stop_at_s + 2.0 {
             break;
         }
     }
@@ -112,8 +117,7 @@ proptest! {
                 let largest = limits.joint_speed_deg_s[joint] * HEADROOM + rounding;
                 prop_assert!(speed.abs() <= largest);
                 prop_assert!(reference.velocities.0[joint].abs() <= largest);
-                let acceleration = limits.joint_acceleration_deg_s2[joint] * HEADROOM
-                    + limits.joint_speed_deg_s[joint] * HEADROOM * STOP_SLOPE_PER_S;
+                let acceleration = limits.joint_acceleration_deg_s2[joint] * HEADROOM;
                 let change = (speed - previous_speed[joint]).abs();
                 let mean_step_s = 0.5 * (elapsed_s + previous_step_s.max(elapsed_s));
                 let previous_rounding = 2.0 * ROUNDING_DEG / previous_step_s;

@@ -214,6 +214,7 @@ impl Supervisor {
                 self.attend_guidance();
             }
             News::Hand(activity) => self.seen.see_hand(observation.asked, activity),
+            News::Signal { name, value } => self.see_signal(&name, value, observation.asked),
             News::Failed(_) => {}
         }
         if matches!(self.mode, Mode::Disconnected) {
@@ -249,6 +250,7 @@ impl Supervisor {
     fn see_failure(&mut self, error: &rws::RwsError) {
         if std::mem::replace(&mut self.seen.connected, false) {
             tracing::warn!(%error, "the robot does not answer");
+            self.signals.forget();
         }
         match &mut self.mode {
             Mode::Idle => self.mode = Mode::Disconnected,

@@ -13,6 +13,7 @@ impl Supervisor {
         self.seen.show(&mut view, self.now_us());
         view.egm.real_time = self.links.flags.is_real_time();
         view.state = self.state();
+        view.signals = self.signals.views();
         match &self.mode {
             Mode::Run(slot) => view.run = Some(slot.progress()),
             Mode::Faulted(fault) => view.fault = Some(fault.clone()),

@@ -1,12 +1,13 @@
 //! A run: from the request over the control thread's work to its outcome.
 
+use super::signals::RunSignals;
 use super::{Done, Mode, Seen, Supervisor};
 use crate::control_loop::LoopEnd;
 use crate::ending;
 use crate::error::{Fault, RobotError};
 use crate::flight::FlightWriter;
 use crate::links::Command;
-use crate::player::{ALIGN_LIMIT_DEG, RunPhase};
+use crate::player::{ALIGN_LIMIT_DEG, PlayerEnd, RunPhase};
 use crate::procedures::{self, Aftermath};
 use crate::run::{RunEnd, RunHandle, RunOutcome, RunProgress};
 use motion::JointAngles;
@@ -18,8 +19,9 @@ use tokio::sync::{oneshot, watch};
 
 /// A pose older than this is not where the arm stands, µs.
 const POSE_AGE_US: u64 = 1_000_000;
-/// Longest wait for the control thread to report an end that it was asked for.
-const THREAD_PATIENCE: Duration = Duration::from_secs(1);
+/// Longest wait for the control thread to report an end that it was asked for: an arm at the
+/// limits of its joints takes about a second to come to rest.
+const THREAD_PATIENCE: Duration = Duration::from_secs(2);
 
 /// The run in the making.
 pub(super) struct RunSlot {
@@ -29,6 +31,7 @@ pub(super) struct RunSlot {
     stage: Stage,
     progress: watch::Sender<RunProgress>,
     outcome: oneshot::Sender<RunOutcome>,
+    signals: RunSignals,
     flight: FlightWriter,
 }
 
@@ -66,6 +69,19 @@ impl RunSlot {
         *self.progress.borrow()
     }
 
+    pub(super) fn id(&self) -> u64 {
+        self.id
+    }
+
+    pub(super) fn plan_and_signals(&mut self) -> (Arc<Plan>, &mut RunSignals) {
+        (Arc::clone(&self.plan), &mut self.signals)
+    }
+
+    /// Something that happened goes on the flight record's time line.
+    pub(super) fn note(&mut self, code: &'static str, message: String) {
+        self.flight.event(code, message);
+    }
+
     /// What the supervisor knows goes on the flight record's time line.
     fn record(&mut self, seen: &Seen, epoch: Instant, is_stopped: bool) {
         if let Some(run) = seen.control().run.filter(|run| run.run == self.id) {
@@ -73,6 +89,7 @@ impl RunSlot {
                 .armed(epoch + Duration::from_micros(run.armed_us));
         }
         self.flight.see_controller(seen.controller.as_ref());
+        self.flight.see_speed(self.progress().speed);
         if is_stopped {
             self.flight.see_stop();
         }
@@ -92,12 +109,17 @@ impl Supervisor {
     ) -> Result<RunHandle, RobotError> {
         let client = self.idle_client()?;
         self.check_pose(&plan.first())?;
+        self.check_signals(&plan)?;
         self.runs += 1;
+        self.links.flags.set_paused(false);
+        self.links.flags.set_speed(1.0);
         let duration_s = plan.duration_s();
         let (progress, progress_out) = watch::channel(RunProgress {
             phase: RunPhase::Approach,
             t_s: 0.0,
             duration_s,
+            speed: 1.0,
+            paused: false,
         });
         let (outcome, outcome_out) = oneshot::channel();
         let (flight, flight_out) = FlightWriter::new();
@@ -109,6 +131,7 @@ impl Supervisor {
             stage: Stage::Starting,
             progress,
             outcome,
+            signals: RunSignals::default(),
             flight,
         }));
         let flags = Arc::clone(&self.links.flags);
@@ -168,9 +191,11 @@ impl Supervisor {
 
     /// Looks after the present run, if there is one.
     pub(super) fn attend_run(&mut self) {
+        self.attend_signals();
         let now = Instant::now();
         let egm_is_fresh = self.seen.egm_is_fresh(self.now_us());
-        let stops = self.links.flags.stops();
+        let flags = &self.links.flags;
+        let (stops, speed, paused) = (flags.stops(), flags.speed(), flags.is_paused());
         let Mode::Run(slot) = &mut self.mode else {
             return;
         };
@@ -210,10 +235,18 @@ impl Supervisor {
                     slot.progress.send_modify(|progress| {
                         progress.phase = run.phase;
                         progress.t_s = run.plan_t_s;
+                        progress.speed = speed;
+                        progress.paused = paused;
                     });
                 }
                 let never_began = run.is_none() && now >= *since + THREAD_PATIENCE;
                 match run.and_then(|run| run.end) {
+                    // The arm has arrived, and what belongs to the end is still being set.
+                    Some(LoopEnd::Player(PlayerEnd::Completed))
+                        if slot.signals.are_open(&slot.plan) =>
+                    {
+                        is_stopped.then_some(Verdict::Thread(LoopEnd::Player(PlayerEnd::Stopped)))
+                    }
                     Some(end) => Some(Verdict::Thread(end)),
                     None if overdue || never_began => Some(Verdict::Fault(ending::lost())),
                     None => {
@@ -266,6 +299,10 @@ impl Supervisor {
                 (RunEnd::Failed(ending::lost()), true)
             }
         };
+        let end = match slot.signals.fault.take() {
+            Some(fault) => RunEnd::Failed(fault),
+            None => end,
+        };
         if let Err(error) = &aftermath.stopped {
             tracing::warn!(%error, "the robot program could not be stopped");
             self.unfinished.run = true;
@@ -285,6 +322,10 @@ impl Supervisor {
         }
         self.publish();
         let rest = slot.flight.finish(&end, &mut self.links.records);
-        let _ = slot.outcome.send(RunOutcome { end, rest });
+        let _ = slot.outcome.send(RunOutcome {
+            end,
+            signals: slot.signals.set,
+            rest,
+        });
     }
 }

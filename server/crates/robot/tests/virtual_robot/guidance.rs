@@ -21,7 +21,7 @@ async fn until_ended(events: &mut mpsc::Receiver<GuidanceEvent>) -> (Vec<Guidanc
         let event = tokio::time::timeout(Duration::from_secs(10), events.recv());
         match event.await.expect("the stream must go on").unwrap() {
             GuidanceEvent::Sample(sample) => samples.push(sample),
-            GuidanceEvent::Gap { .. } => {}
+            GuidanceEvent::Gap { .. } | GuidanceEvent::Signal { .. } => {}
             GuidanceEvent::Ended { reason } => return (samples, reason),
         }
     }
@@ -41,7 +41,7 @@ async fn until_sample(
                     return samples;
                 }
             }
-            GuidanceEvent::Gap { .. } => {}
+            GuidanceEvent::Gap { .. } | GuidanceEvent::Signal { .. } => {}
             GuidanceEvent::Ended { reason } => panic!("guidance ended: {reason}"),
         }
     }

@@ -5,4 +5,5 @@ mod connection;
 mod faults;
 mod guidance;
 mod runs;
+mod signals;
 mod support;

@@ -153,6 +153,7 @@ pub fn minimum_jerk(from: JointAngles, travel_deg: [f64; 6], duration_s: f64) ->
         period_s,
         approach_samples: 0,
         joints,
+        signals: Vec::new(),
     };
     approve(&motion, &RobotLimits::gofa5()).unwrap()
 }

@@ -168,6 +168,98 @@ async fn signals_are_read_and_written() {
 }
 
 #[tokio::test]
+async fn a_list_of_signals_is_read_to_its_end() {
+    let controller = Scripted::start().await;
+    let page = |names: &[&str], links: &str| {
+        let signals: Vec<String> = names
+            .iter()
+            .map(|name| {
+                format!(r#"{{"_type":"ios-signal-li","name":"{name}","type":"DO","lvalue":"1"}}"#)
+            })
+            .collect();
+        format!(
+            r#"{{"_links":{{{links}}},"_embedded":{{"resources":[{}]}}}}"#,
+            signals.join(",")
+        )
+    };
+    let next = r#""next":{"href":"signals?start=2&limit=100"}"#;
+    let line = |start| format!("GET /rw/iosystem/signals?start={start}&limit=100");
+    controller
+        .answers(&line(0), 200, &page(&["a", "b"], next))
+        .answers(&line(2), 200, &page(&["c"], ""));
+    let signals = controller.client().signals().await.unwrap();
+    let names: Vec<&str> = signals.iter().map(|signal| signal.name.as_str()).collect();
+    assert_eq!(names, ["a", "b", "c"]);
+}
+
+#[tokio::test]
+async fn a_resource_that_has_no_json_is_read_as_xhtml() {
+    let controller = Scripted::start().await;
+    let xhtml = r#"<html><body><div class="state"><ul><li class="pnl-opmode" title="opmode"><span class="opmode">AUTO</span></li></ul></div></body></html>"#;
+    controller
+        .answers("GET /rw/panel/opmode", 406, "")
+        .answers("GET /rw/panel/opmode", 200, xhtml);
+    let mode = controller.client().operating_mode().await.unwrap();
+    assert_eq!(mode, OperatingMode::Auto);
+    let accepts: Vec<String> = controller
+        .asked()
+        .into_iter()
+        .map(|asked| asked.accept)
+        .collect();
+    assert_eq!(
+        accepts,
+        ["application/hal+json;v=2.0", "application/xhtml+xml;v=2.0"]
+    );
+}
+
+#[tokio::test]
+async fn what_is_loaded_and_installed_is_read() {
+    let controller = Scripted::start().await;
+    let list = |entry: &str| format!(r#"{{"state":[{entry}]}}"#);
+    controller
+        .answers(
+            "GET /rw/rapid/tasks",
+            200,
+            &list(r#"{"_type":"rap-task-li","name":"T_ROB1","active":"On","motiontask":"TRUE"}"#),
+        )
+        .answers(
+            "GET /rw/rapid/tasks/T_ROB1/modules",
+            200,
+            &list(r#"{"_type":"rap-module-info-li","name":"TEAM_egm","type":"ProgMod"}"#),
+        )
+        .answers(
+            "GET /rw/system/options",
+            200,
+            &list(r#"{"_type":"sys-option-li","option":"3124-1 Externally Guided Motion"}"#),
+        )
+        .reports("GET /ctrl/clock", "datetime", "2026-07-09 T 02:55:41");
+    let client = controller.client();
+    let tasks = client.tasks().await.unwrap();
+    assert!(tasks[0].name == "T_ROB1" && tasks[0].active && tasks[0].moves_arm);
+    assert_eq!(client.modules("T_ROB1").await.unwrap()[0].name, "TEAM_egm");
+    assert!(client.options().await.unwrap()[0].starts_with("3124-1"));
+    assert_eq!(client.clock().await.unwrap(), "2026-07-09 T 02:55:41");
+}
+
+#[tokio::test]
+async fn a_known_event_is_told_in_plain_words_and_says_what_to_do() {
+    let controller = Scripted::start().await;
+    let body = log(&[event(7, 41_822, "No data from the UdpUc device")]);
+    controller.answers("GET /rw/elog/4?lang=en&order=lifo&limit=1", 200, &body);
+    let events = controller.client().events(4, 1).await.unwrap();
+    let words = events[0].to_string();
+    assert!(
+        words.starts_with("the controller got no motion data"),
+        "{words}"
+    );
+    assert!(
+        words.contains("41822") && words.contains("No data from the UdpUc device"),
+        "{words}"
+    );
+    assert!(events[0].advice().contains("cable"));
+}
+
+#[tokio::test]
 async fn events_are_read_although_their_arguments_are_no_json() {
     let controller = Scripted::start().await;
     let body = log(&[event(7, 10_011, "Motors ON state")]);

@@ -164,7 +164,9 @@ impl Controller {
             return Err(Refusal::Rejected);
         }
         let name = signal.name;
-        self.turn_signal(name, on);
+        if !self.faults.signals_stuck {
+            self.turn_signal(name, on);
+        }
         Ok(())
     }
 

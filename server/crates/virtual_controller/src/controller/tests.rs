@@ -15,7 +15,7 @@ mod program;
 mod session;
 
 use super::*;
-use crate::config::{EgmSettings, StopMode};
+use crate::config::{EgmSettings, MessageSet, StopMode};
 use crate::hand::Action;
 use crate::hand::script::Script;
 

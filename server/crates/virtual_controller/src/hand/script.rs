@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// A task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Script {
-    /// A piece is taken from a tray, held under a drilling machine, and carried off.
+    /// A piece is taken from a tray and put into a drilling machine; the gripper closes and opens.
     F1,
     /// The same, over an obstacle that stands between tray and machine.
     F2,
@@ -23,12 +23,15 @@ pub struct WayPoint {
     pub joints_deg: [f64; 6],
     /// The hand stops here for a while, to grasp or to place.
     pub pause: bool,
+    /// What is done to the gripper there: closed (`true`) or opened.
+    pub closes: Option<bool>,
 }
 
 const fn through(joints_deg: [f64; 6]) -> WayPoint {
     WayPoint {
         joints_deg,
         pause: false,
+        closes: None,
     }
 }
 
@@ -36,17 +39,26 @@ const fn pause(joints_deg: [f64; 6]) -> WayPoint {
     WayPoint {
         joints_deg,
         pause: true,
+        closes: None,
+    }
+}
+
+const fn grip(joints_deg: [f64; 6], close: bool) -> WayPoint {
+    WayPoint {
+        joints_deg,
+        pause: true,
+        closes: Some(close),
     }
 }
 
 const F1: [WayPoint; 9] = [
     through([-8.0, 4.0, 28.0, 0.0, -48.0, 0.0]),
     through([-19.0, 17.0, 26.0, -7.0, -44.0, 4.0]),
-    pause([-22.0, 27.0, 29.0, -9.0, -48.0, 4.0]),
+    grip([-22.0, 27.0, 29.0, -9.0, -48.0, 4.0], true),
     through([-19.0, 16.0, 28.0, -7.0, -46.0, 0.0]),
     through([-3.0, 8.0, 25.0, 0.0, -40.0, -6.0]),
     through([14.0, 17.0, 26.0, 7.0, -44.0, -12.0]),
-    pause([18.0, 26.0, 25.0, 10.0, -46.0, -14.0]),
+    grip([18.0, 26.0, 25.0, 10.0, -46.0, -14.0], false),
     through([14.0, 16.0, 27.0, 7.0, -46.0, -8.0]),
     through([4.0, 8.0, 28.0, 0.0, -49.0, 0.0]),
 ];

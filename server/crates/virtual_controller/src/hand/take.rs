@@ -38,6 +38,8 @@ const END_DEG: f64 = 0.6;
 const BOW_DEG: f64 = 1.0;
 /// Shortest and longest pause and idle time, s.
 const PAUSE_S: [f64; 2] = [0.4, 1.2];
+/// The gripper is worked after this share of a pause.
+const GRIP_SHARE: f64 = 0.3;
 const IDLE_S: [f64; 2] = [0.5, 1.5];
 /// Amplitude (deg) and frequency (Hz) of the tremor. A hand that stands still has none, because
 /// the joints' friction holds the arm; it is fully there well above the speed given (deg/s).
@@ -72,6 +74,8 @@ pub struct Take {
     movements: Vec<Movement>,
     tremor: [[Wave; TREMOR_WAVES.len()]; JOINTS],
     duration_s: f64,
+    /// When the gripper is closed (`true`) or opened, s.
+    grips: Vec<(f64, bool)>,
 }
 
 impl Take {
@@ -115,6 +119,7 @@ impl Take {
             movements: Vec::new(),
             tremor,
             duration_s: 0.0,
+            grips: Vec::new(),
         };
         // First without standing, to see how fast the fastest moment is.
         take.lay_out(way, &points, &bows, 1.0 / pace, &vec![0.0; way.len()]);
@@ -122,6 +127,9 @@ impl Take {
         take.lay_out(way, &points, &bows, slower / pace, &stands);
         for movement in &mut take.movements {
             movement.from_s += idle_before_s;
+        }
+        for (at_s, _) in &mut take.grips {
+            *at_s += idle_before_s;
         }
         take.duration_s += idle_before_s + idle_after_s;
         take
@@ -131,6 +139,12 @@ impl Take {
     #[must_use]
     pub fn duration_s(&self) -> f64 {
         self.duration_s
+    }
+
+    /// When the gripper is closed (`true`) or opened, s, in order.
+    #[must_use]
+    pub fn grips(&self) -> &[(f64, bool)] {
+        &self.grips
     }
 
     /// Where the arm is after `t_s`; held at both ends.
@@ -182,6 +196,7 @@ impl Take {
         };
         let mut t_s = 0.0;
         self.movements.clear();
+        self.grips.clear();
         for index in 0..last {
             let (before_s, after_s) = (overlap_s(index), overlap_s(index + 1));
             self.movements.push(Movement {
@@ -192,6 +207,10 @@ impl Take {
                 }),
                 bow_deg: bows[index],
             });
+            if let Some(close) = way[index + 1].closes {
+                let stood_s = GRIP_SHARE * stands_s[index + 1];
+                self.grips.push((t_s + lasts_s[index] + stood_s, close));
+            }
             t_s += lasts_s[index] + stands_s[index + 1];
         }
         self.duration_s = t_s;

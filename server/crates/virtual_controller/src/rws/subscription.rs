@@ -88,7 +88,7 @@ pub async fn subscribe(
     };
     let mut response = reply::list(format, &first);
     *response.status_mut() = StatusCode::CREATED;
-    let location = format!("ws://{}/poll/{id}", app.authority);
+    let location = format!("{}/poll/{id}", app.web_sockets);
     Ok(([(header::LOCATION, location)], response).into_response())
 }
 

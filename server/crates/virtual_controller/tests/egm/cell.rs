@@ -23,6 +23,10 @@ pub struct Cell {
 
 impl Cell {
     pub async fn start(egm_remote: SocketAddr) -> Self {
+        // Without one, a client of reqwest cannot be built.
+        rustls::crypto::ring::default_provider()
+            .install_default()
+            .ok();
         Self {
             controller: VirtualController::start(Config::new(egm_remote))
                 .await

@@ -25,6 +25,10 @@ pub struct Cell {
 
 impl Cell {
     pub async fn start() -> Self {
+        // Without one, a client of reqwest cannot be built.
+        rustls::crypto::ring::default_provider()
+            .install_default()
+            .ok();
         let egm = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
         let config = Config::new(egm.local_addr().unwrap());
         Self {

@@ -114,3 +114,18 @@ fn the_third_script_turns_the_piece_by_a_quarter() {
         "turned by {highest}"
     );
 }
+
+#[test]
+fn the_gripper_is_worked_while_the_hand_stands_at_its_place() {
+    for (script, take) in takes() {
+        let closes: Vec<bool> = take.grips().iter().map(|(_, close)| *close).collect();
+        match script {
+            Script::F1 => assert_eq!(closes, [true, false]),
+            Script::F2 | Script::F3 => assert!(closes.is_empty()),
+        }
+        for (at_s, _) in take.grips() {
+            let moved = take.at(at_s + 0.1).max_abs_difference(&take.at(*at_s));
+            assert!(moved < 1e-9, "the hand moves {moved} deg while it grips");
+        }
+    }
+}
