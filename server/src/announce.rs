@@ -6,19 +6,42 @@ use qrcode::QrCode;
 use qrcode::render::unicode::Dense1x2;
 
 use crate::RunningApp;
+use crate::cell::RobotSettings;
 
-/// The ready line, and for a server on the network the pairing code with its QR code.
+/// The ready line, where controllers are awaited, and for a server on the network the pairing code with its QR code.
 pub fn announcement(app: &RunningApp) -> String {
     let mut text = format!("TEAM is ready: {}\n", app.url());
+    if app.robots().len() > 1 || app.robots().iter().any(|robot| robot.controller.is_some()) {
+        for robot in app.robots() {
+            // Writing to a string can't fail.
+            let _ = writeln!(text, "{}", in_a_line(robot));
+        }
+    }
     if let (Some(code), Some(url)) = (app.pairing_code(), app.pairing_url()) {
         let (first, second) = code.split_at(4);
-        // Writing to a string can't fail.
         let _ = writeln!(text, "Pairing code: {first} {second}");
         if let Some(picture) = qr(&url) {
             let _ = writeln!(text, "Scan it with the phone's camera:\n{picture}");
         }
     }
     text
+}
+
+/// A robot as whoever sets up its controller needs it.
+fn in_a_line(robot: &RobotSettings) -> String {
+    let RobotSettings {
+        id,
+        name,
+        egm_listen,
+        ..
+    } = robot;
+    match &robot.controller {
+        Some(controller) => {
+            let rws_url = &controller.rws_url;
+            format!("{name} ({id}): a GoFa at {rws_url}, EGM on {egm_listen}")
+        }
+        None => format!("{name} ({id}): a virtual robot"),
+    }
 }
 
 /// A QR code out of half blocks. What is drawn is bright on a dark terminal, so the code's bright

@@ -7,19 +7,23 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use robot::{Robot, RobotConfig, RobotError, RobotKind, RobotState};
+use futures_util::future::join_all;
+use robot::{RobotError, RobotState};
 use tokio::net::TcpListener;
 use tokio::task::JoinHandle;
 use tokio::time::timeout;
 use virtual_controller::{FaultSwitches, VirtualController};
 
+use crate::arms::{Arm, StartedRobot};
+use crate::cell::{self, CellError, RobotSettings};
 use crate::clock::{SharedClock, SystemClock};
-use crate::config::{Config, RobotChoice};
+use crate::config::Config;
 use crate::http::{self, AppState};
 use crate::jobs::Worker;
 use crate::pairing::{Gatekeeper, PairingCode};
 use crate::store::{self, Store};
 
+mod robots;
 #[cfg(test)]
 mod tests;
 
@@ -53,16 +57,25 @@ pub enum StartError {
         /// Why.
         source: std::io::Error,
     },
-    /// The robot's side did not start.
-    #[error("{error}. {}", error.advice())]
+    /// The configuration of the cell can't be used.
+    #[error(transparent)]
+    Cell(#[from] CellError),
+    /// A robot's side did not start.
+    #[error("robot \"{robot}\": {error}. {}", error.advice())]
     Robot {
+        /// Which one.
+        robot: String,
         /// Why.
-        #[from]
         error: RobotError,
     },
-    /// The virtual arm did not start.
-    #[error("the virtual arm did not start: {0}")]
-    VirtualArm(#[from] virtual_controller::Error),
+    /// A virtual arm did not start.
+    #[error("the virtual arm of robot \"{robot}\" did not start: {source}")]
+    VirtualArm {
+        /// Of which robot.
+        robot: String,
+        /// Why.
+        source: virtual_controller::Error,
+    },
     /// No threads or random numbers to be had.
     #[error("the operating system refused: {0}")]
     System(String),
@@ -77,17 +90,19 @@ pub struct RunningApp {
     state: AppState,
     server: JoinHandle<std::io::Result<()>>,
     worker: Worker,
-    virtual_arm: Option<VirtualController>,
+    robots: Vec<RobotSettings>,
+    virtual_arms: Vec<VirtualController>,
     _lock: File,
 }
 
 impl App {
-    /// Starts everything: store, robot, virtual arm, worker, pages. What the last run left
+    /// Starts everything: store, robots, virtual arms, worker, pages. What the last run left
     /// unfinished is cleared up before the first request is answered.
     ///
     /// # Errors
     /// When a part can't start; nothing is left running then.
     pub async fn start(config: Config) -> Result<RunningApp, StartError> {
+        let robots = cell::robots(&config)?;
         let lock = lock_folder(&config.data)?;
         let store = Store::open(&config.data.join("team.sqlite")).await?;
         let listen_error = |source| StartError::Listen {
@@ -98,8 +113,8 @@ impl App {
             .await
             .map_err(listen_error)?;
         let address = listener.local_addr().map_err(listen_error)?;
-        let (robot, virtual_arm) = start_robot(&config).await?;
-        let state = assemble(&config, store, robot)?;
+        let (started, virtual_arms) = robots::start(&robots).await?;
+        let state = assemble(&config, store, started)?;
         recover(&state).await?;
         let worker = Worker::start(state.queue.clone(), state.shutdown.clone())
             .map_err(|error| StartError::System(error.to_string()))?;
@@ -108,7 +123,8 @@ impl App {
             server: tokio::spawn(http::serve(listener, state.clone())),
             state,
             worker,
-            virtual_arm,
+            robots,
+            virtual_arms,
             _lock: lock,
         })
     }
@@ -135,22 +151,35 @@ impl RunningApp {
         Some(format!("{}#pair={}", self.url(), self.pairing_code()?))
     }
 
-    /// The faults that tests can bring about in the virtual arm.
-    pub fn virtual_faults(&self) -> Option<FaultSwitches> {
-        self.virtual_arm.as_ref().map(VirtualController::faults)
+    /// The robots as they are configured.
+    pub fn robots(&self) -> &[RobotSettings] {
+        &self.robots
     }
 
-    /// Stops the arm, closes recordings, gives jobs back to the queue, and ends.
+    /// The faults that tests can bring about in the first virtual arm.
+    pub fn virtual_faults(&self) -> Option<FaultSwitches> {
+        self.virtual_arms.first().map(VirtualController::faults)
+    }
+
+    /// Stops the arms, closes recordings, gives jobs back to the queue, and ends.
     pub async fn shutdown(mut self) {
         let state = self.state.clone();
-        let moving = state.robot.view().borrow().state;
-        if matches!(moving, RobotState::Reproducing | RobotState::Stopping) {
-            state.robot.stop();
+        let arms = state.arms.all();
+        for arm in arms {
+            let moving = arm.robot.view().borrow().state;
+            if matches!(moving, RobotState::Reproducing | RobotState::Stopping) {
+                arm.robot.stop();
+            }
         }
         state.shutdown.raise();
-        within(5, "closing the recording", state.recorder.close()).await;
-        state.robot.stop();
-        within(10, "the end of the motion", state.reproducer.settled()).await;
+        let closed = async |arm: &Arm| {
+            arm.recorder.close().await;
+            arm.robot.stop();
+        };
+        within(5, "closing recordings", all(arms, closed)).await;
+        arms.iter().for_each(|arm| arm.robot.stop());
+        let settled = async |arm: &Arm| arm.reproducer.settled().await;
+        within(10, "the end of motions", all(arms, settled)).await;
         within(5, "giving back the job", self.worker.ended()).await;
         within(5, "the last answers", async {
             if let Err(error) = (&mut self.server).await {
@@ -159,12 +188,16 @@ impl RunningApp {
         })
         .await;
         self.server.abort();
-        within(5, "logging out of the controller", state.robot.shutdown()).await;
-        if let Some(virtual_arm) = self.virtual_arm.take() {
-            virtual_arm.stop().await;
-        }
+        let logged_out = async |arm: &Arm| arm.robot.shutdown().await;
+        within(5, "logging out of controllers", all(arms, logged_out)).await;
+        join_all(self.virtual_arms.drain(..).map(VirtualController::stop)).await;
         state.store.close().await;
     }
+}
+
+/// Does the same with every robot at once.
+async fn all(arms: &[Arm], work: impl AsyncFn(&Arm)) {
+    join_all(arms.iter().map(|arm| work(arm))).await;
 }
 
 async fn within(seconds: u64, what: &str, work: impl Future<Output = ()>) {
@@ -190,24 +223,11 @@ fn lock_folder(folder: &Path) -> Result<File, StartError> {
     }
 }
 
-async fn start_robot(config: &Config) -> Result<(Robot, Option<VirtualController>), StartError> {
-    let kind = match config.robot {
-        RobotChoice::Virtual => RobotKind::Virtual,
-        RobotChoice::None => RobotKind::None,
-    };
-    // The virtual arm is on this computer, and nobody else has any business at its port.
-    let egm_listen = SocketAddr::from((Ipv4Addr::LOCALHOST, config.egm_port));
-    let robot = Robot::start(RobotConfig::new(kind, egm_listen)).await?;
-    if kind == RobotKind::None {
-        return Ok((robot, None));
-    }
-    let arm = virtual_controller::Config::new(robot.egm_addr());
-    let arm = VirtualController::start(arm).await?;
-    robot.connect(format!("http://{}", arm.rws_addr())).await?;
-    Ok((robot, Some(arm)))
-}
-
-fn assemble(config: &Config, store: Store, robot: Robot) -> Result<AppState, StartError> {
+fn assemble(
+    config: &Config,
+    store: Store,
+    robots: Vec<StartedRobot>,
+) -> Result<AppState, StartError> {
     let clock: SharedClock = Arc::new(SystemClock);
     let gatekeeper = if config.listen.ip().is_loopback() {
         None
@@ -215,18 +235,21 @@ fn assemble(config: &Config, store: Store, robot: Robot) -> Result<AppState, Sta
         let code = PairingCode::random().map_err(|error| StartError::System(error.to_string()))?;
         Some(Arc::new(Gatekeeper::new(code)))
     };
-    Ok(AppState::new(store, clock, robot, config.robot, gatekeeper))
+    Ok(AppState::new(store, clock, robots, gatekeeper))
 }
 
 async fn recover(state: &AppState) -> Result<(), StartError> {
-    for demonstration in state.recorder.recover().await? {
+    // What was left over is in the store for all robots together, so any of them clears it up.
+    let Arm {
+        recorder,
+        reproducer,
+        ..
+    } = state.arms.that_made(None);
+    for demonstration in recorder.recover().await? {
         tracing::warn!(demonstration.id = %demonstration.id, "a recording had been cut off");
     }
     for (count, what) in [
-        (
-            state.reproducer.recover().await?,
-            "motions had been cut off",
-        ),
+        (reproducer.recover().await?, "motions had been cut off"),
         (
             state.queue.recover().await?,
             "jobs had been cut off and wait again",

@@ -8,8 +8,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::cli;
 
 /// Which arm the server works with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, serde::Serialize, utoipa::ToSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RobotChoice {
     /// The virtual GoFa that comes with the server.
     Virtual,
@@ -33,6 +32,9 @@ pub struct Config {
     /// The arm.
     #[arg(long, env = "TEAM_ROBOT", value_enum, default_value_t = RobotChoice::Virtual)]
     pub robot: RobotChoice,
+    /// The configuration file of a cell with several robots or a real one (docs/cell.md).
+    #[arg(long, env = "TEAM_CONFIG", value_name = "FILE", conflicts_with_all = ["robot", "egm_port"])]
+    pub config: Option<PathBuf>,
 }
 
 impl Config {
@@ -105,6 +107,16 @@ mod tests {
             let config = served(&[words, &flags[..]].concat());
             assert_eq!(config.listen.to_string(), "0.0.0.0:80");
             assert_eq!((config.egm_port, config.robot), (0, RobotChoice::None));
+        }
+    }
+
+    #[test]
+    fn a_configuration_file_takes_the_place_of_the_single_robot() {
+        let config = served(&["team", "serve", "--config", "cell.toml"]);
+        assert_eq!(config.config, Some(PathBuf::from("cell.toml")));
+        for other in [["--robot", "none"], ["--egm-port", "6511"]] {
+            let line = [&["team", "--config", "cell.toml"][..], &other[..]].concat();
+            assert!(CommandLine::try_parse_from(line).is_err());
         }
     }
 

@@ -6,6 +6,8 @@
 mod agreement;
 mod announce;
 mod app;
+mod arms;
+pub mod cell;
 pub mod cli;
 pub mod clock;
 pub mod config;

@@ -1,4 +1,4 @@
-//! The plans that were previewed and may be run: the latest few, in memory.
+//! The plans that were previewed and may be run: the latest few of each robot, in memory.
 //!
 //! A plan is worth little after a restart, because the arm may have been moved; so nothing is
 //! stored, and a client previews again.
@@ -14,13 +14,15 @@ use motion::plan::Plan;
 use crate::ids::{ModelId, TaskId};
 use crate::planning::{self, PlanError, PlanRequest, Warning};
 
-/// How many plans are remembered.
+/// How many plans of one robot are remembered.
 const REMEMBERED: usize = 32;
 /// How many samples they may have together: about 20 MB.
 const SAMPLES: usize = 200_000;
 
 /// A previewed motion with where it comes from.
 pub struct KnownPlan {
+    /// The robot whose pose and limits it was made for.
+    pub robot: String,
     /// What is to be reproduced.
     pub task_id: TaskId,
     /// By which model.
@@ -46,19 +48,22 @@ pub struct KnownPlan {
 }
 
 impl KnownPlan {
-    /// Plans a motion for this arm. CPU-heavy: not for the async threads.
+    /// Plans a motion for the robot with these limits. CPU-heavy: not for the async threads.
     ///
     /// # Errors
     /// When the motion is not allowed.
     pub fn make(
+        robot: &str,
+        limits: &RobotLimits,
         task_id: TaskId,
         model_id: ModelId,
         model: learning::Model,
         request: &PlanRequest,
         present: Option<JointAngles>,
     ) -> Result<Self, PlanError> {
-        let motion = planning::plan(&model, request, present, &RobotLimits::gofa5())?;
+        let motion = planning::plan(&model, request, present, limits)?;
         Ok(Self {
+            robot: robot.to_owned(),
             task_id,
             model_id,
             model,
@@ -72,16 +77,15 @@ impl KnownPlan {
             warnings: motion.warnings,
         })
     }
-}
 
-impl KnownPlan {
     /// The way back of an arm that stopped at `stopped_s` of this plan. CPU-heavy.
     ///
     /// # Errors
     /// When there is none.
-    pub fn back(&self, stopped_s: f64) -> Result<Self, PlanError> {
-        let (plan, inspection) = planning::back(&self.plan, stopped_s, &RobotLimits::gofa5())?;
+    pub fn back(&self, stopped_s: f64, limits: &RobotLimits) -> Result<Self, PlanError> {
+        let (plan, inspection) = planning::back(&self.plan, stopped_s, limits)?;
         Ok(Self {
+            robot: self.robot.clone(),
             task_id: self.task_id,
             model_id: self.model_id,
             model: self.model.clone(),
@@ -106,21 +110,32 @@ impl Plans {
     pub fn remember(&self, plan: KnownPlan) -> Arc<KnownPlan> {
         let plan = Arc::new(plan);
         let mut plans = self.lock();
-        plans.retain(|known| known.plan.hash() != plan.plan.hash());
+        // Two robots that stand alike may have the very same motion.
+        plans.retain(|known| known.robot != plan.robot || known.plan.hash() != plan.plan.hash());
         plans.push_back(Arc::clone(&plan));
-        while plans.len() > 1 && (plans.len() > REMEMBERED || held(&plans) > SAMPLES) {
-            plans.pop_front();
+        while too_many(&plans, &plan.robot) {
+            let oldest = plans.iter().position(|known| known.robot == plan.robot);
+            oldest.and_then(|index| plans.remove(index));
         }
         plan
     }
 
-    /// The plan with this hash.
-    pub fn find(&self, hash: &str) -> Option<Arc<KnownPlan>> {
+    /// This robot's plan with this hash.
+    pub fn find(&self, hash: &str, robot: &str) -> Option<Arc<KnownPlan>> {
+        let plans = self.lock();
+        plans
+            .iter()
+            .find(|known| known.robot == robot && known.plan.hash() == hash)
+            .map(Arc::clone)
+    }
+
+    /// The robot that a plan with this hash was made for.
+    pub fn robot_of(&self, hash: &str) -> Option<String> {
         let plans = self.lock();
         plans
             .iter()
             .find(|known| known.plan.hash() == hash)
-            .map(Arc::clone)
+            .map(|known| known.robot.clone())
     }
 
     fn lock(&self) -> MutexGuard<'_, VecDeque<Arc<KnownPlan>>> {
@@ -129,6 +144,10 @@ impl Plans {
     }
 }
 
-fn held(plans: &VecDeque<Arc<KnownPlan>>) -> usize {
-    plans.iter().map(|known| known.plan.samples().len()).sum()
+/// Whether one of this robot's plans has to go. The latest one stays, however long it is.
+fn too_many(plans: &VecDeque<Arc<KnownPlan>>, robot: &str) -> bool {
+    let own = || plans.iter().filter(|known| known.robot == robot);
+    let samples: usize = own().map(|known| known.plan.samples().len()).sum();
+    let count = own().count();
+    count > 1 && (count > REMEMBERED || samples > SAMPLES)
 }

@@ -54,6 +54,7 @@ pub async fn store(
         task_id,
         state: DemonstrationState::Recorded,
         source: DemonstrationSource::File,
+        robot: None,
     };
     let note = format!("From the file {label}.");
     Ok(store

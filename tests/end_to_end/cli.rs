@@ -253,3 +253,17 @@ async fn a_file_that_is_no_model_is_refused_in_words() {
     refused(&["reproduce", path(&other)], &["other.json"]).await;
     refused(&["dance"], &["dance"]).await;
 }
+
+#[tokio::test]
+async fn a_configuration_of_the_cell_that_can_not_be_used_is_refused_at_the_start() {
+    let folder = Folder::new(SCRATCH, "cli-cell");
+    let cell = folder.path().join("cell.toml");
+    let data = folder.path().join("data");
+    let start = ["serve", "--data", path(&data), "--config", path(&cell)];
+    refused(&start, &["cell.toml", "can't be read"]).await;
+    let wrong = "[[robot]]\nid = \"left\"\nkind = \"gofa\"\nrws_password = \"hunter2\"\n";
+    std::fs::write(&cell, wrong).expect("the file is written");
+    let words = ["cell.toml, line 1", "egm_listen", "for example"];
+    refused(&start, &words).await;
+    assert!(!data.exists(), "nothing is made before the file is read");
+}

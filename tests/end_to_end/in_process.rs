@@ -16,6 +16,7 @@ pub async fn start(data: &Path) -> InProcess {
         egm_port: 0,
         data: data.to_owned(),
         robot: RobotChoice::Virtual,
+        config: None,
     };
     InProcess(App::start(config).await.expect("the server starts"))
 }

@@ -105,7 +105,7 @@ pub async fn train(client: &Client, task: &str, request: Value) -> Value {
 /// Waits until the arm is connected and idle, and returns the robot's view.
 pub async fn idle_arm(client: &Client) -> Value {
     eventually("the arm is idle", SHORT, || async {
-        let robot = client.get("/robot").await.expect(200);
+        let robot = client.get("/robots/virtual").await.expect(200);
         (robot["state"] == "idle" && robot["joints_deg"].is_array()).then_some(robot)
     })
     .await
@@ -134,7 +134,7 @@ pub async fn ended(client: &Client, reproduction: &Value) -> Value {
 /// Waits until the arm is in the motion itself, past the approach and past `t_s` seconds of it.
 pub async fn in_motion(client: &Client, t_s: f64) -> Value {
     eventually("the motion is under way", LONG, || async {
-        let robot = client.get("/robot").await.expect(200);
+        let robot = client.get("/robots/virtual").await.expect(200);
         let run = &robot["run"];
         (run["phase"] == "motion" && number(run, "t_s") > t_s).then_some(robot)
     })

@@ -22,7 +22,7 @@ async fn running(client: &Client, model: &Value) -> Value {
 async fn at_rest(client: &Client) -> [f64; 6] {
     let (last, same) = (Cell::new([f64::NAN; 6]), Cell::new(0));
     eventually("the arm rests", SHORT, || async {
-        let robot = client.get("/robot").await.expect(200);
+        let robot = client.get("/robots/virtual").await.expect(200);
         let now = joints(&robot, "joints_deg");
         let before = last.replace(now);
         let still = now.iter().zip(before).all(|(a, b)| (a - b).abs() < 1e-3);
@@ -45,11 +45,11 @@ async fn stop_ends_the_motion_and_the_arm_can_go_on_from_there() {
     let path = format!("/tasks/{task}/demonstrations");
     let _ = client.post(&path, json!({})).await.problem(&[409]);
     let _ = client
-        .post("/robot/lead-through", json!({ "active": true }))
+        .post("/robots/virtual/lead-through", json!({ "active": true }))
         .await
         .problem(&[409]);
 
-    assert_eq!(client.post_empty("/robot/stop").await.status, 204);
+    assert_eq!(client.post_empty("/robots/virtual/stop").await.status, 204);
     let stopped = ended(&client, &reproduction).await;
     assert_eq!(stopped["state"], "stopped", "{stopped}");
     assert!(!text(&stopped, "reason").is_empty(), "{stopped}");
@@ -144,7 +144,7 @@ async fn when_packets_stop_the_run_fails_and_a_person_has_to_start_again() {
     let failed = ended(&client, &reproduction).await;
     assert_eq!(failed["state"], "failed", "{failed}");
     assert!(!text(&failed, "reason").is_empty(), "{failed}");
-    let robot = client.get("/robot").await.expect(200);
+    let robot = client.get("/robots/virtual").await.expect(200);
     assert_eq!(robot["state"], "faulted", "{robot}");
     for member in ["message", "advice"] {
         assert!(!text(&robot["fault"], member).is_empty(), "{robot}");
@@ -165,7 +165,7 @@ async fn when_packets_stop_the_run_fails_and_a_person_has_to_start_again() {
     }
     eventually("a person's reset is accepted", LONG, || async {
         client
-            .post_empty("/robot/reset")
+            .post_empty("/robots/virtual/reset")
             .await
             .status
             .is_success()
@@ -182,15 +182,16 @@ async fn when_packets_stop_the_run_fails_and_a_person_has_to_start_again() {
 async fn a_server_without_an_arm_refuses_motion_and_still_trains() {
     let (_folder, server, model) = with_model("no-arm", &["--robot", "none"]).await;
     let client = server.client();
-    assert_eq!(client.get("/session").await.expect(200)["robot"], "none");
+    let robots = client.get("/robots").await.expect(200);
+    assert_eq!(robots[0]["kind"], "none", "{robots}");
     let task = text(&model, "task_id").to_owned();
     let demonstrations = format!("/tasks/{task}/demonstrations");
     let refusals = [
         (&*demonstrations, json!({})),
         (&demonstrations, json!({ "virtual_hand": "f1" })),
-        ("/robot/lead-through", json!({ "active": true })),
+        ("/robots/none/lead-through", json!({ "active": true })),
         (
-            "/robot/virtual-hand",
+            "/robots/none/virtual-hand",
             json!({ "action": "return", "script": "f1" }),
         ),
     ];
@@ -205,7 +206,7 @@ async fn a_server_without_an_arm_refuses_motion_and_still_trains() {
         "nothing half-made is left"
     );
     assert_eq!(
-        client.post_empty("/robot/stop").await.status,
+        client.post_empty("/robots/none/stop").await.status,
         204,
         "Stop is always accepted"
     );

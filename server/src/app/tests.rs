@@ -1,5 +1,6 @@
 //! The whole server with the virtual arm, on real sockets.
 
+mod cell;
 mod recording;
 mod reproducing;
 mod sockets;
@@ -12,6 +13,7 @@ use tokio::sync::broadcast;
 use tokio::time::timeout;
 
 use super::{App, RunningApp};
+use crate::arms::Arm;
 use crate::config::{Config, RobotChoice};
 use crate::events::Event;
 use crate::ids::{DemonstrationId, TaskId};
@@ -24,7 +26,13 @@ fn config(data: &Path, robot: RobotChoice) -> Config {
         egm_port: 0,
         data: data.to_owned(),
         robot,
+        config: None,
     }
+}
+
+/// The first robot, which is the only one without a configuration file.
+fn arm(app: &RunningApp) -> &Arm {
+    app.state.arms.that_made(None)
 }
 
 /// A server whose virtual arm is ready, and a task.
@@ -43,7 +51,11 @@ async fn with_arm(data: &Path) -> (RunningApp, TaskId) {
 }
 
 async fn robot_is(app: &RunningApp, state: RobotState) {
-    let mut view = app.state.robot.view();
+    state_of(arm(app), state).await;
+}
+
+async fn state_of(arm: &Arm, state: RobotState) {
+    let mut view = arm.robot.view();
     let wait = view.wait_for(|view| view.state == state);
     timeout(Duration::from_secs(20), wait)
         .await

@@ -18,6 +18,7 @@ fn reproduction() -> Reproduction {
         id: ReproductionId::new(),
         task_id: TaskId::new(),
         model_id: ModelId::new(),
+        robot: Some("left".into()),
         plan: "aa".into(),
         state: ReproductionState::Succeeded,
         reason: None,

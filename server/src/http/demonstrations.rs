@@ -27,6 +27,8 @@ pub struct NewRecording {
     /// The demonstration's identifier; the server makes one when it is missing. The same again is
     /// the same demonstration.
     id: Option<DemonstrationId>,
+    /// From which robot; the first one when it is missing.
+    robot: Option<String>,
     /// Has the virtual arm's hand show one of its scripts: "f1", "f2" or "f3".
     #[schema(value_type = Option<String>)]
     virtual_hand: Option<HandScript>,
@@ -59,6 +61,7 @@ pub async fn list(
 #[utoipa::path(post, path = "/tasks/{task}/demonstrations", tag = "demonstrations", params(("task" = TaskId, Path)), request_body = NewRecording, responses(
     (status = 201, body = Demonstration),
     (status = 200, description = "It was begun before", body = Demonstration),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
     (status = 409, description = "The arm is busy or not ready", body = Problem, content_type = "application/problem+json"),
 ))]
 pub async fn record(
@@ -67,6 +70,7 @@ pub async fn record(
     Path(task_id): Path<TaskId>,
     Json(new): Json<NewRecording>,
 ) -> Result<(StatusCode, Json<Demonstration>), ApiError> {
+    let arm = state.arms.named(new.robot.as_deref())?;
     let request = RecordingRequest {
         id: new.id.unwrap_or_else(DemonstrationId::new),
         task_id,
@@ -75,7 +79,7 @@ pub async fn record(
             seed: new.seed,
         }),
     };
-    let (demonstration, made) = state.recorder.start(request).await?;
+    let (demonstration, made) = arm.recorder.start(request).await?;
     if !made {
         return Ok((StatusCode::OK, Json(demonstration)));
     }
@@ -174,7 +178,9 @@ pub async fn stop(
     Actor(actor): Actor,
     Path(id): Path<DemonstrationId>,
 ) -> Result<Json<Demonstration>, ApiError> {
-    let demonstration = state.recorder.stop(id).await?;
+    let open = state.store.demonstration(id).await?;
+    let arm = state.arms.that_made(open.robot.as_deref());
+    let demonstration = arm.recorder.stop(id).await?;
     state.audit(&actor, "ended a recording", id).await;
     Ok(Json(demonstration))
 }

@@ -12,6 +12,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::agreement::AgreementError;
+use crate::arms::UnknownRobot;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
 use crate::recording::RecordingError;
@@ -226,6 +227,14 @@ impl From<robot::RobotError> for ApiError {
     }
 }
 
+impl From<UnknownRobot> for ApiError {
+    fn from(error: UnknownRobot) -> Self {
+        Self::new(StatusCode::NOT_FOUND, "robot_unknown", sentence(&error))
+            .at(json!({ "field": "robot" }))
+            .advise("Choose one of these robots.")
+    }
+}
+
 impl From<RecordingError> for ApiError {
     fn from(error: RecordingError) -> Self {
         match error {
@@ -255,6 +264,8 @@ impl From<ReproducingError> for ApiError {
             ReproducingError::PlanUnknown => {
                 Self::conflict("plan_unknown", sentence(&error)).advise("Preview the motion again.")
             }
+            ReproducingError::OtherRobot { .. } => Self::conflict("other_robot", sentence(&error))
+                .advise("Preview the motion for the robot that shall make it."),
             ReproducingError::KeyReused => Self::unprocessable(
                 "idempotency_key_reused",
                 "Idempotency-Key",

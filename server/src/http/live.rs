@@ -1,5 +1,5 @@
-//! The live socket: the whole picture first, then every change, and the arm about 20 times a
-//! second. A client may stop the arm through it.
+//! The live socket: the whole picture first, then every change, and one robot about 20 times a
+//! second. A client may stop that robot through it.
 
 use std::time::Duration;
 
@@ -12,13 +12,17 @@ use futures_util::{SinkExt, StreamExt};
 use serde::{Deserialize, Serialize};
 use tokio::sync::broadcast::error::RecvError;
 use tokio::time::{MissedTickBehavior, interval};
+use utoipa::IntoParams;
 
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
+use super::extract::Query;
 use super::robot::RobotAnswer;
 use super::state::AppState;
+use crate::arms::Arm;
+use crate::events::Event;
 use crate::store;
-use crate::store::demonstrations::Demonstration;
+use crate::store::demonstrations::{Demonstration, DemonstrationState};
 use crate::store::jobs::Job;
 use crate::store::reproductions::Reproduction;
 
@@ -47,6 +51,13 @@ struct RobotNow {
     robot: RobotAnswer,
 }
 
+/// Which robot a client watches.
+#[derive(Deserialize, IntoParams)]
+pub struct Watched {
+    /// Its identifier; the first robot when it is missing.
+    robot: Option<String>,
+}
+
 /// What a client may send.
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
@@ -54,30 +65,37 @@ enum Command {
     Stop,
 }
 
-/// Opens the live socket: first a message of type "snapshot", then "robot", "demonstration", "job",
-/// "model" and "reproduction" as they change. A client may send {"type": "stop"}.
-#[utoipa::path(get, path = "/live", tag = "robot", responses(
+/// Opens the live socket of one robot: first a message of type "snapshot", then "robot",
+/// "demonstration", "job", "model" and "reproduction" as they change. What other robots record is
+/// told when it is over. A client may send {"type": "stop"}, which stops this robot.
+#[utoipa::path(get, path = "/live", tag = "robots", params(Watched), responses(
     (status = 101, description = "The socket is open"),
+    (status = 404, description = "There is no such robot", body = Problem, content_type = "application/problem+json"),
     (status = 400, description = "Not a WebSocket request", body = Problem, content_type = "application/problem+json"),
 ))]
 pub async fn open(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    Query(watched): Query<Watched>,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> Result<Response, ApiError> {
+    let robot = state.arms.named(watched.robot.as_deref())?.id.clone();
     let upgrade = upgrade?;
     Ok(upgrade
         .max_message_size(LONGEST_MESSAGE)
-        .on_upgrade(move |socket| serve(state, actor, socket)))
+        .on_upgrade(move |socket| serve(state, robot, actor, socket)))
 }
 
 /// Runs until either side leaves. Receiving does not wait for sending: a stop gets through even
 /// when the client is too slow to take what is sent to it.
-async fn serve(state: AppState, actor: String, socket: WebSocket) {
+async fn serve(state: AppState, robot: String, actor: String, socket: WebSocket) {
+    let Ok(arm) = state.arms.named(Some(&robot)) else {
+        return;
+    };
     let (sender, receiver) = socket.split();
     tokio::select! {
-        () = receive(&state, &actor, receiver) => {}
-        result = send(&state, sender) => {
+        () = receive(&state, arm, &actor, receiver) => {}
+        result = send(&state, arm, sender) => {
             if let Err(error) = result {
                 tracing::debug!(%error, "a live socket ended");
             }
@@ -86,13 +104,13 @@ async fn serve(state: AppState, actor: String, socket: WebSocket) {
     }
 }
 
-async fn receive(state: &AppState, actor: &str, mut receiver: SplitStream<WebSocket>) {
+async fn receive(state: &AppState, arm: &Arm, actor: &str, mut receiver: SplitStream<WebSocket>) {
     while let Some(Ok(message)) = receiver.next().await {
         match message {
             Message::Text(text) => {
                 if let Ok(Command::Stop) = serde_json::from_str(&text) {
-                    state.robot.stop();
-                    state.audit(actor, "stopped the arm", "robot").await;
+                    arm.robot.stop();
+                    state.audit(actor, "stopped the arm", &arm.id).await;
                 }
             }
             Message::Close(_) => return,
@@ -115,19 +133,20 @@ enum SendError {
     RobotGone,
 }
 
-async fn send(state: &AppState, mut sender: Sender) -> Result<(), SendError> {
+async fn send(state: &AppState, arm: &Arm, mut sender: Sender) -> Result<(), SendError> {
     let mut events = state.events.listen();
-    let mut robot = state.robot.view();
-    send_json(&mut sender, &snapshot(state).await?).await?;
+    let mut robot = arm.robot.view();
+    send_json(&mut sender, &snapshot(state, arm).await?).await?;
     let mut tick = interval(ROBOT_EVERY);
     tick.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let mut quiet = 0;
     loop {
         tokio::select! {
             event = events.recv() => match event {
+                Ok(event) if grows_elsewhere(&event, arm) => {}
                 Ok(event) => send_json(&mut sender, &event).await?,
                 Err(RecvError::Lagged(_)) => {
-                    send_json(&mut sender, &snapshot(state).await?).await?;
+                    send_json(&mut sender, &snapshot(state, arm).await?).await?;
                 }
                 Err(RecvError::Closed) => return Ok(()),
             },
@@ -135,7 +154,7 @@ async fn send(state: &AppState, mut sender: Sender) -> Result<(), SendError> {
                 quiet += 1;
                 if robot.has_changed().map_err(|_| SendError::RobotGone)? || quiet >= QUIET_TICKS {
                     quiet = 0;
-                    let robot = RobotAnswer::from(&*robot.borrow_and_update());
+                    let robot = RobotAnswer::of(arm, &robot.borrow_and_update());
                     send_json(&mut sender, &RobotNow { robot }).await?;
                 }
             }
@@ -143,12 +162,25 @@ async fn send(state: &AppState, mut sender: Sender) -> Result<(), SendError> {
     }
 }
 
-async fn snapshot(state: &AppState) -> Result<Snapshot, store::Error> {
+/// Whether this is a recording of another robot that is still growing. Each grows several times a
+/// second, which is too much to tell every phone of a large cell.
+fn grows_elsewhere(event: &Event, arm: &Arm) -> bool {
+    let Event::Demonstration { demonstration } = event else {
+        return false;
+    };
+    let open = matches!(
+        demonstration.state,
+        DemonstrationState::Preparing | DemonstrationState::Recording
+    );
+    open && demonstration.robot.as_deref() != Some(&arm.id)
+}
+
+async fn snapshot(state: &AppState, arm: &Arm) -> Result<Snapshot, store::Error> {
     Ok(Snapshot {
-        demonstration: state.store.open_demonstration().await?,
+        demonstration: state.store.open_demonstration(&arm.id).await?,
         jobs: state.store.open_jobs().await?,
-        reproduction: state.store.running_reproduction().await?,
-        robot: RobotAnswer::from(&*state.robot.view().borrow()),
+        reproduction: state.store.running_reproduction(&arm.id).await?,
+        robot: RobotAnswer::now(arm),
     })
 }
 

@@ -10,6 +10,7 @@ use super::extract::Json;
 use super::signals::SignalMark;
 use super::state::AppState;
 use super::trajectories::plan_columns;
+use crate::arms::Arm;
 use crate::ids::ModelId;
 use crate::planning::{PlanRequest, Target, Warning, signal_remarks};
 use crate::plans::KnownPlan;
@@ -25,6 +26,8 @@ const FRESH_MS: u64 = 1_000;
 pub struct NewPlan {
     /// By which model.
     model_id: ModelId,
+    /// For which robot; the first one when it is missing.
+    robot: Option<String>,
     /// Where it begins; as taught when it is missing.
     #[serde(default)]
     start: Place,
@@ -73,6 +76,8 @@ pub struct JointPlace {
 pub struct Plan {
     /// Names exactly this motion (SHA-256); a reproduction is started with it.
     plan: String,
+    /// The robot whose pose and limits it was made for; no other one may run it.
+    robot: String,
     /// By which model.
     model_id: ModelId,
     /// Where it begins, in degrees per joint.
@@ -140,6 +145,7 @@ pub async fn create(
     State(state): State<AppState>,
     Json(new): Json<NewPlan>,
 ) -> Result<Json<Plan>, ApiError> {
+    let arm = state.arms.named(new.robot.as_deref())?;
     let request = PlanRequest {
         start: target(new.start),
         goal: target(new.goal),
@@ -147,13 +153,22 @@ pub async fn create(
     };
     let task_id = state.store.model(new.model_id).await?.task_id;
     let model = training::load(&state.store, new.model_id).await?;
-    let present = present_pose(&state);
+    let present = present_pose(arm);
+    let (robot, limits) = (arm.id.clone(), arm.limits.clone());
     let mut planned = tokio::task::spawn_blocking(move || {
-        KnownPlan::make(task_id, new.model_id, model, &request, present)
+        KnownPlan::make(
+            &robot,
+            &limits,
+            task_id,
+            new.model_id,
+            model,
+            &request,
+            present,
+        )
     })
     .await
     .map_err(|error| ApiError::internal(&error))??;
-    let remarks = signal_remarks(&planned.plan, &state.robot.view().borrow().signals);
+    let remarks = signal_remarks(&planned.plan, &arm.robot.view().borrow().signals);
     planned.warnings.extend(remarks);
     let known = state.plans.remember(planned);
     Ok(Json(answer(&known)))
@@ -164,8 +179,8 @@ fn full_speed() -> f64 {
 }
 
 /// Where the arm stands, if that was heard of lately.
-fn present_pose(state: &AppState) -> Option<JointAngles> {
-    let view = state.robot.view();
+fn present_pose(arm: &Arm) -> Option<JointAngles> {
+    let view = arm.robot.view();
     let view = view.borrow();
     let fresh = view.age_ms <= FRESH_MS;
     view.joints_deg.filter(|_| fresh).map(JointAngles)
@@ -192,6 +207,7 @@ pub(super) fn answer(known: &KnownPlan) -> Plan {
     let (t_s, joints_deg, tcp_mm) = plan_columns(&known.plan, POINTS);
     Plan {
         plan: known.plan.hash().to_owned(),
+        robot: known.robot.clone(),
         model_id: known.model_id,
         start_deg: known.start.0,
         goal_deg: known.goal.0,

@@ -22,6 +22,9 @@ use crate::store::reproductions::Reproduction;
 pub struct NewReproduction {
     /// The plan to run.
     plan: String,
+    /// The robot that shall make it; the first one when it is missing. Only the robot that the
+    /// plan was made for may.
+    robot: Option<String>,
     /// The reproduction's identifier; the server makes one when it is missing. The same again
     /// does not start a second motion.
     id: Option<ReproductionId>,
@@ -39,7 +42,8 @@ pub struct Filter {
     params(("Idempotency-Key" = Option<String>, Header, description = "Names this start")),
     responses(
         (status = 202, body = Reproduction, headers(("Location" = String, description = "The reproduction"))),
-        (status = 409, description = "The arm is busy, not ready or not at the start, or the plan is not known", body = Problem, content_type = "application/problem+json"),
+        (status = 404, body = Problem, content_type = "application/problem+json"),
+        (status = 409, description = "The arm is busy, not ready or not at the start, or the plan is not known or another robot's", body = Problem, content_type = "application/problem+json"),
         (status = 503, description = "The controller does not answer", body = Problem, content_type = "application/problem+json"),
     )
 )]
@@ -49,12 +53,13 @@ pub async fn start(
     headers: HeaderMap,
     Json(new): Json<NewReproduction>,
 ) -> Result<Response, ApiError> {
+    let arm = state.arms.named(new.robot.as_deref())?;
     let request = StartRequest {
         plan: new.plan,
         id: new.id,
         key: idempotency_key(&headers)?,
     };
-    let reproduction = state.reproducer.start(request).await?;
+    let reproduction = arm.reproducer.start(request).await?;
     state
         .audit(&actor, "started a motion", reproduction.id)
         .await;
@@ -97,7 +102,9 @@ pub async fn stop(
     Actor(actor): Actor,
     Path(id): Path<ReproductionId>,
 ) -> Result<Json<Reproduction>, ApiError> {
-    let reproduction = state.reproducer.stop(id).await?;
+    let running = state.store.reproduction(id).await?;
+    let arm = state.arms.that_made(running.robot.as_deref());
+    let reproduction = arm.reproducer.stop(id).await?;
     state.audit(&actor, "stopped a motion", id).await;
     Ok(Json(reproduction))
 }

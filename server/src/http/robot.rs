@@ -1,4 +1,4 @@
-//! The arm itself: how it is, stopping it, acknowledging a fault, making it soft.
+//! The robots: how they are, stopping them, acknowledging a fault, making an arm soft.
 
 use axum::extract::State;
 use axum::http::StatusCode;
@@ -8,15 +8,20 @@ use utoipa::ToSchema;
 
 use super::auth::Actor;
 use super::error::{ApiError, Problem};
-use super::extract::Json;
+use super::extract::{Json, Path};
 use super::signals::SignalAnswer;
 use super::state::AppState;
+use crate::arms::Arm;
 use crate::recording::HandShowing;
 
-/// The arm as it is now.
+/// A robot as it is now.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct RobotAnswer {
-    /// "virtual" or "none".
+    /// What requests call it.
+    id: String,
+    /// What people call it.
+    name: String,
+    /// "virtual", "gofa" or "none".
     #[schema(value_type = String)]
     kind: robot::RobotKind,
     /// "disconnected", "idle", "guiding", "reproducing", "stopping" or "faulted".
@@ -89,8 +94,14 @@ pub struct RunAnswer {
     paused: bool,
 }
 
-impl From<&RobotView> for RobotAnswer {
-    fn from(view: &RobotView) -> Self {
+impl RobotAnswer {
+    /// The robot at this moment.
+    pub fn now(arm: &Arm) -> Self {
+        Self::of(arm, &arm.robot.view().borrow())
+    }
+
+    /// The robot as this view of it shows.
+    pub fn of(arm: &Arm, view: &RobotView) -> Self {
         let run = |run: RunProgress| RunAnswer {
             phase: run.phase,
             t_s: run.t_s,
@@ -99,6 +110,8 @@ impl From<&RobotView> for RobotAnswer {
             paused: run.paused,
         };
         Self {
+            id: arm.id.clone(),
+            name: arm.name.clone(),
             kind: view.kind,
             state: view.state,
             joints_deg: view.joints_deg,
@@ -154,70 +167,108 @@ pub enum HandAction {
     Return,
 }
 
-/// The arm as it is now.
-#[utoipa::path(get, path = "/robot", tag = "robot", responses((status = 200, body = RobotAnswer)))]
-pub async fn show(State(state): State<AppState>) -> Json<RobotAnswer> {
-    Json(RobotAnswer::from(&*state.robot.view().borrow()))
+/// Every robot as it is now, in the order of the configuration.
+#[utoipa::path(get, path = "/robots", tag = "robots", responses((status = 200, body = [RobotAnswer])))]
+pub async fn list(State(state): State<AppState>) -> Json<Vec<RobotAnswer>> {
+    Json(state.arms.all().iter().map(RobotAnswer::now).collect())
 }
 
-/// Stops whatever the arm does. This is not a safety function.
-#[utoipa::path(post, path = "/robot/stop", tag = "robot", responses((status = 204, description = "The arm comes to rest")))]
-pub async fn stop(State(state): State<AppState>, Actor(actor): Actor) -> StatusCode {
-    state.robot.stop();
-    state.audit(&actor, "stopped the arm", "robot").await;
+/// Stops every robot. This is not a safety function.
+#[utoipa::path(post, path = "/robots/stop", tag = "robots", responses((status = 204, description = "All arms come to rest")))]
+pub async fn stop_all(State(state): State<AppState>, Actor(actor): Actor) -> StatusCode {
+    for arm in state.arms.all() {
+        arm.robot.stop();
+    }
+    state.audit(&actor, "stopped every arm", "robots").await;
     StatusCode::NO_CONTENT
 }
 
-/// Acknowledges a fault, so that the arm may be used again.
-#[utoipa::path(post, path = "/robot/reset", tag = "robot", responses(
+/// A robot as it is now.
+#[utoipa::path(get, path = "/robots/{robot}", tag = "robots", params(("robot" = String, Path)), responses(
     (status = 200, body = RobotAnswer),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
+))]
+pub async fn show(
+    State(state): State<AppState>,
+    Path(robot): Path<String>,
+) -> Result<Json<RobotAnswer>, ApiError> {
+    Ok(Json(RobotAnswer::now(state.arms.named(Some(&robot))?)))
+}
+
+/// Stops whatever the arm does. This is not a safety function.
+#[utoipa::path(post, path = "/robots/{robot}/stop", tag = "robots", params(("robot" = String, Path)), responses(
+    (status = 204, description = "The arm comes to rest"),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
+))]
+pub async fn stop(
+    State(state): State<AppState>,
+    Actor(actor): Actor,
+    Path(robot): Path<String>,
+) -> Result<StatusCode, ApiError> {
+    let arm = state.arms.named(Some(&robot))?;
+    arm.robot.stop();
+    state.audit(&actor, "stopped the arm", &arm.id).await;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// Acknowledges a fault, so that the arm may be used again.
+#[utoipa::path(post, path = "/robots/{robot}/reset", tag = "robots", params(("robot" = String, Path)), responses(
+    (status = 200, body = RobotAnswer),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
     (status = 409, body = Problem, content_type = "application/problem+json"),
 ))]
 pub async fn reset(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    Path(robot): Path<String>,
 ) -> Result<Json<RobotAnswer>, ApiError> {
-    state.robot.reset().await?;
-    state.audit(&actor, "acknowledged a fault", "robot").await;
-    Ok(show(State(state)).await)
+    let arm = state.arms.named(Some(&robot))?;
+    arm.robot.reset().await?;
+    state.audit(&actor, "acknowledged a fault", &arm.id).await;
+    Ok(Json(RobotAnswer::now(arm)))
 }
 
 /// Makes the arm soft, to bring it somewhere by hand, or stiff again.
-#[utoipa::path(post, path = "/robot/lead-through", tag = "robot", request_body = LeadThrough, responses(
+#[utoipa::path(post, path = "/robots/{robot}/lead-through", tag = "robots", params(("robot" = String, Path)), request_body = LeadThrough, responses(
     (status = 200, body = RobotAnswer),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
     (status = 409, body = Problem, content_type = "application/problem+json"),
 ))]
 pub async fn lead_through(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    Path(robot): Path<String>,
     Json(LeadThrough { active }): Json<LeadThrough>,
 ) -> Result<Json<RobotAnswer>, ApiError> {
-    state.recorder.set_free(active).await?;
+    let arm = state.arms.named(Some(&robot))?;
+    arm.recorder.set_free(active).await?;
     let action = if active {
         "made the arm soft"
     } else {
         "made the arm stiff"
     };
-    state.audit(&actor, action, "robot").await;
-    Ok(show(State(state)).await)
+    state.audit(&actor, action, &arm.id).await;
+    Ok(Json(RobotAnswer::now(arm)))
 }
 
 /// Has the virtual hand bring the virtual arm to where a showing begins.
-#[utoipa::path(post, path = "/robot/virtual-hand", tag = "robot", request_body = HandWish, responses(
+#[utoipa::path(post, path = "/robots/{robot}/virtual-hand", tag = "robots", params(("robot" = String, Path)), request_body = HandWish, responses(
     (status = 202, description = "The hand moves the arm"),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
     (status = 409, description = "The arm is not soft, or not virtual", body = Problem, content_type = "application/problem+json"),
 ))]
 pub async fn virtual_hand(
     State(state): State<AppState>,
+    Path(robot): Path<String>,
     Json(wish): Json<HandWish>,
 ) -> Result<StatusCode, ApiError> {
+    let arm = state.arms.named(Some(&robot))?;
     let HandWish {
         action: HandAction::Return,
         script,
         seed,
     } = wish;
-    state
-        .recorder
+    arm.recorder
         .hand_returns(HandShowing { script, seed })
         .await?;
     Ok(StatusCode::ACCEPTED)

@@ -69,6 +69,8 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(jobs::list))
         .routes(routes!(jobs::show))
         .routes(routes!(jobs::cancel))
+        .routes(routes!(robot::list))
+        .routes(routes!(robot::stop_all))
         .routes(routes!(robot::show))
         .routes(routes!(robot::stop))
         .routes(routes!(robot::reset))

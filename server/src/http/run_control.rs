@@ -38,7 +38,9 @@ pub async fn pace(
     Path(id): Path<ReproductionId>,
     Json(Pace { speed, paused }): Json<Pace>,
 ) -> Result<StatusCode, ApiError> {
-    state.reproducer.pace(id, speed, paused).await?;
+    let running = state.store.reproduction(id).await?;
+    let arm = state.arms.that_made(running.robot.as_deref());
+    arm.reproducer.pace(&running, speed, paused)?;
     let action = match (paused, speed) {
         (Some(true), _) => "paused a motion",
         (Some(false), _) => "let a motion go on",
@@ -63,5 +65,11 @@ pub async fn back(
     State(state): State<AppState>,
     Path(id): Path<ReproductionId>,
 ) -> Result<Json<Plan>, ApiError> {
-    Ok(Json(answer(&*state.reproducer.way_back(id).await?)))
+    let stopped = state.store.reproduction(id).await?;
+    let arm = state.arms.that_made(stopped.robot.as_deref());
+    let way = arm
+        .reproducer
+        .way_back(&stopped, arm.limits.clone())
+        .await?;
+    Ok(Json(answer(&way)))
 }

@@ -10,7 +10,6 @@ use super::auth::{COOKIE, Client, PAIRED_FOR_MS, cookie, is_paired};
 use super::error::{ApiError, Problem};
 use super::extract::Json;
 use super::state::AppState;
-use crate::config::RobotChoice;
 use crate::pairing::{Token, Verdict};
 
 /// What a page needs to know before anything else.
@@ -20,8 +19,6 @@ pub struct Session {
     paired: bool,
     /// Whether the server asks for the code at all.
     pairing_required: bool,
-    /// Which arm there is.
-    robot: RobotChoice,
     /// The server's version.
     version: &'static str,
 }
@@ -44,7 +41,6 @@ pub async fn show(
     Ok(Json(Session {
         paired,
         pairing_required,
-        robot: state.choice,
         version: env!("CARGO_PKG_VERSION"),
     }))
 }

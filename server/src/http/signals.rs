@@ -107,7 +107,7 @@ impl RunSignalMark {
 }
 
 /// Sets a signal. While a demonstration is recorded, it becomes part of it.
-#[utoipa::path(post, path = "/robot/signals/{name}", tag = "robot", params(("name" = String, Path)), request_body = SignalWish, responses(
+#[utoipa::path(post, path = "/robots/{robot}/signals/{name}", tag = "robots", params(("robot" = String, Path), ("name" = String, Path)), request_body = SignalWish, responses(
     (status = 200, description = "The controller has it", body = RobotAnswer),
     (status = 404, description = "No such signal is configured", body = Problem, content_type = "application/problem+json"),
     (status = 409, description = "A motion is running, or the signal did not change", body = Problem, content_type = "application/problem+json"),
@@ -115,11 +115,12 @@ impl RunSignalMark {
 pub async fn set(
     State(state): State<AppState>,
     Actor(actor): Actor,
-    Path(name): Path<String>,
+    Path((robot, name)): Path<(String, String)>,
     Json(SignalWish { on }): Json<SignalWish>,
 ) -> Result<Json<RobotAnswer>, ApiError> {
-    state.robot.set_signal(&name, on).await?;
+    let arm = state.arms.named(Some(&robot))?;
+    arm.robot.set_signal(&name, on).await?;
     let action = if on { "set a signal" } else { "reset a signal" };
     state.audit(&actor, action, &name).await;
-    Ok(Json(RobotAnswer::from(&*state.robot.view().borrow())))
+    Ok(Json(RobotAnswer::now(arm)))
 }

@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use robot::Robot;
-
 use crate::agreement::Agreements;
+use crate::arms::{Arm, Arms, StartedRobot};
 use crate::clock::SharedClock;
-use crate::config::RobotChoice;
 use crate::events::Events;
 use crate::jobs::Queue;
 use crate::pairing::Gatekeeper;
@@ -25,16 +23,10 @@ pub struct AppState {
     pub events: Events,
     /// The time.
     pub clock: SharedClock,
-    /// The arm.
-    pub robot: Robot,
-    /// Which arm it is.
-    pub choice: RobotChoice,
-    /// Begins and ends recordings.
-    pub recorder: Recorder,
+    /// The robots.
+    pub arms: Arms,
     /// Background work.
     pub queue: Queue,
-    /// Starts motions.
-    pub reproducer: Reproducer,
     /// Which takes were compared lately.
     pub agreements: Arc<Agreements>,
     /// Previewed motions.
@@ -46,32 +38,45 @@ pub struct AppState {
 }
 
 impl AppState {
-    /// Puts the parts together around a store and a robot.
+    /// Puts the parts together around a store and the robots.
     pub fn new(
         store: Store,
         clock: SharedClock,
-        robot: Robot,
-        choice: RobotChoice,
+        robots: Vec<StartedRobot>,
         gatekeeper: Option<Arc<Gatekeeper>>,
     ) -> Self {
         let events = Events::default();
         let plans = Arc::new(Plans::default());
         let parts = || (store.clone(), events.clone(), Arc::clone(&clock));
         let (s, e, c) = parts();
-        let recorder = Recorder::new(s, e, c, robot.clone());
-        let (s, e, c) = parts();
         let queue = Queue::new(s, e, c);
-        let (s, e, c) = parts();
-        let reproducer = Reproducer::new(s, e, c, robot.clone(), Arc::clone(&plans));
+        let arm = |started: StartedRobot| {
+            let StartedRobot {
+                id,
+                name,
+                limits,
+                robot,
+            } = started;
+            let (s, e, c) = parts();
+            let recorder = Recorder::new(s, e, c, &id, robot.clone());
+            let (s, e, c) = parts();
+            let reproducer = Reproducer::new(s, e, c, &id, robot.clone(), Arc::clone(&plans));
+            Arm {
+                id,
+                name,
+                limits,
+                robot,
+                recorder,
+                reproducer,
+            }
+        };
+        let arms = Arms::new(robots.into_iter().map(arm).collect());
         Self {
             store,
             events,
             clock,
-            robot,
-            choice,
-            recorder,
+            arms,
             queue,
-            reproducer,
             agreements: Arc::default(),
             plans,
             gatekeeper,

@@ -52,6 +52,7 @@ impl Bench {
             task_id: self.task,
             state: DemonstrationState::Kept,
             source: DemonstrationSource::File,
+            robot: None,
         };
         let samples: Vec<Sample> = (0..=(seconds * 50.0) as u64)
             .map(|row| {

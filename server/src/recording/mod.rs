@@ -1,6 +1,6 @@
 //! Recording: from the arm in a person's hand to chunks in the store.
 //!
-//! At most one recording is open, because there is one arm. Here it is begun and ended; `session`
+//! At most one recording of a robot is open, because it has one arm. Here it is begun and ended; `session`
 //! does what lies between. Not here: how lead-through is switched (crate `robot`).
 
 mod session;
@@ -80,6 +80,8 @@ struct Tools {
     store: Store,
     events: Events,
     clock: SharedClock,
+    /// What the robot is called.
+    name: Arc<str>,
     robot: Robot,
 }
 
@@ -113,20 +115,22 @@ enum Stop {
 }
 
 impl Recorder {
-    /// A recorder for this robot.
-    pub fn new(store: Store, events: Events, clock: SharedClock, robot: Robot) -> Self {
+    /// A recorder for this robot, which requests call `name`.
+    pub fn new(store: Store, events: Events, clock: SharedClock, name: &str, robot: Robot) -> Self {
         Self(Arc::new(Inner {
             tools: Tools {
                 store,
                 events,
                 clock,
+                name: name.into(),
                 robot,
             },
             guiding: Mutex::new(Guiding::Nothing),
         }))
     }
 
-    /// At start-up: recordings that the last run left open become interrupted and are offered.
+    /// At start-up: recordings that the last run left open become interrupted and are offered,
+    /// whichever robot they were made from.
     pub async fn recover(&self) -> Result<Vec<Demonstration>, store::Error> {
         self.0.tools.store.recover_recordings(CUT_OFF).await
     }
@@ -163,7 +167,12 @@ impl Recorder {
         let tools = &self.0.tools;
         let mut guiding = self.0.guiding.lock().await;
         match tools.store.demonstration(request.id).await {
-            Ok(known) if known.task_id == request.task_id => return Ok((known, false)),
+            Ok(known)
+                if known.task_id == request.task_id
+                    && known.robot.as_deref() == Some(&*tools.name) =>
+            {
+                return Ok((known, false));
+            }
             Ok(_) => {
                 return Err(store::Error::IdTaken {
                     what: "demonstration",
@@ -177,7 +186,7 @@ impl Recorder {
         let samples = self.soft_arm(&mut guiding).await?;
         let made = tools
             .store
-            .create_demonstration(row_of(&request), tools.clock.now())
+            .create_demonstration(row_of(&request, &tools.name), tools.clock.now())
             .await;
         let demonstration = match made {
             Ok(demonstration) => demonstration,
@@ -308,7 +317,7 @@ impl Tools {
     }
 }
 
-fn row_of(request: &RecordingRequest) -> NewDemonstration {
+fn row_of<'a>(request: &RecordingRequest, robot: &'a str) -> NewDemonstration<'a> {
     let (state, source) = match request.hand {
         Some(_) => (
             DemonstrationState::Preparing,
@@ -324,6 +333,7 @@ fn row_of(request: &RecordingRequest) -> NewDemonstration {
         task_id: request.task_id,
         state,
         source,
+        robot: Some(robot),
     }
 }
 

@@ -7,6 +7,7 @@ mod record;
 
 use std::sync::Arc;
 
+use motion::limits::RobotLimits;
 use robot::{Robot, RobotError, RunEnd, RunHandle, RunOutcome, SignalSet};
 use tokio::sync::Mutex;
 use tokio::task::JoinHandle;
@@ -45,6 +46,14 @@ pub enum ReproducingError {
     /// A computation failed.
     #[error("the way back could not be worked out")]
     Crashed(tokio::task::JoinError),
+    /// The plan was made for another robot's pose and limits.
+    #[error("this preview was made for the robot \"{of}\", not for \"{robot}\"")]
+    OtherRobot {
+        /// The robot that it was made for.
+        of: String,
+        /// The robot that was to run it.
+        robot: String,
+    },
     /// The client's key or identifier was used for another motion.
     #[error("this start was already used for another motion")]
     KeyReused,
@@ -79,6 +88,8 @@ struct Tools {
     store: Store,
     events: Events,
     clock: SharedClock,
+    /// What the robot is called.
+    name: Arc<str>,
     robot: Robot,
 }
 
@@ -95,11 +106,12 @@ impl Tools {
 }
 
 impl Reproducer {
-    /// A reproducer for this robot and these plans.
+    /// A reproducer for this robot, which requests call `name`, and these plans.
     pub fn new(
         store: Store,
         events: Events,
         clock: SharedClock,
+        name: &str,
         robot: Robot,
         plans: Arc<Plans>,
     ) -> Self {
@@ -108,6 +120,7 @@ impl Reproducer {
                 store,
                 events,
                 clock,
+                name: name.into(),
                 robot,
             },
             plans,
@@ -115,12 +128,12 @@ impl Reproducer {
         }))
     }
 
-    /// At start-up: motions that the last run left running have failed. Their records can be read
-    /// up to where they end.
+    /// At start-up: motions that the last run left running have failed, whichever robot made
+    /// them. Their records can be read up to where they end.
     pub async fn recover(&self) -> Result<u64, store::Error> {
         let tools = &self.0.tools;
         let mut found = 0;
-        while let Some(left) = tools.store.running_reproduction().await? {
+        while let Some(left) = tools.store.any_running_reproduction().await? {
             let figures = match measured(&tools.store, left.id, Measure::default()).await {
                 Ok(measure) => measure.broken(),
                 Err(error) => {
@@ -162,22 +175,21 @@ impl Reproducer {
     async fn begin(&self, request: StartRequest) -> Result<Reproduction, ReproducingError> {
         let mut last = self.0.last.lock().await;
         if let Some(known) = self.known(&request).await? {
-            return if known.plan == request.plan {
+            // Robots that stand alike have the same plan, but each its own motion.
+            let same = known.robot.as_deref() == Some(&*self.0.tools.name);
+            return if same && known.plan == request.plan {
                 Ok(known)
             } else {
                 Err(ReproducingError::KeyReused)
             };
         }
-        let plan = self
-            .0
-            .plans
-            .find(&request.plan)
-            .ok_or(ReproducingError::PlanUnknown)?;
+        let plan = self.plan(&request.plan)?;
         let tools = &self.0.tools;
         let new = NewReproduction {
             id: request.id.unwrap_or_else(ReproductionId::new),
             task_id: plan.task_id,
             model_id: plan.model_id,
+            robot: &tools.name,
             plan: &request.plan,
             start_deg: &plan.start.0,
             goal_deg: &plan.goal.0,
@@ -219,14 +231,14 @@ impl Reproducer {
     ///
     /// # Errors
     /// When it does not run, or the speed is none.
-    pub async fn pace(
+    pub fn pace(
         &self,
-        id: ReproductionId,
+        running: &Reproduction,
         speed: Option<f64>,
         paused: Option<bool>,
     ) -> Result<(), ReproducingError> {
         let tools = &self.0.tools;
-        if tools.store.reproduction(id).await?.state != ReproductionState::Running {
+        if running.state != ReproductionState::Running {
             return Err(RobotError::NotRunning.into());
         }
         if let Some(speed) = speed {
@@ -242,22 +254,25 @@ impl Reproducer {
     ///
     /// # Errors
     /// When it still runs, its plan is forgotten, or there is no way.
-    pub async fn way_back(&self, id: ReproductionId) -> Result<Arc<KnownPlan>, ReproducingError> {
+    pub async fn way_back(
+        &self,
+        stopped: &Reproduction,
+        limits: RobotLimits,
+    ) -> Result<Arc<KnownPlan>, ReproducingError> {
         let Inner { tools, plans, .. } = &*self.0;
-        let reproduction = tools.store.reproduction(id).await?;
-        if reproduction.state == ReproductionState::Running {
+        if stopped.state == ReproductionState::Running {
             let state = tools.robot.view().borrow().state;
             return Err(RobotError::Busy { state }.into());
         }
         let plan = plans
-            .find(&reproduction.plan)
+            .find(&stopped.plan, &tools.name)
             .ok_or(ReproducingError::PlanUnknown)?;
         let mut stopped_s = 0.0;
-        let mut pages = tools.store.flight(id, Stretch::ALL);
+        let mut pages = tools.store.flight(stopped.id, Stretch::ALL);
         while let Some(cycles) = pages.next().await? {
             stopped_s = cycles.last().map_or(stopped_s, |cycle| cycle.plan_t_s);
         }
-        let back = tokio::task::spawn_blocking(move || plan.back(stopped_s))
+        let back = tokio::task::spawn_blocking(move || plan.back(stopped_s, &limits))
             .await
             .map_err(ReproducingError::Crashed)??;
         Ok(plans.remember(back))
@@ -271,6 +286,20 @@ impl Reproducer {
         {
             tracing::error!(%error, "the end of a reproduction could not be stored");
         }
+    }
+
+    /// This robot's plan with this hash.
+    fn plan(&self, hash: &str) -> Result<Arc<KnownPlan>, ReproducingError> {
+        let (plans, robot) = (&self.0.plans, &self.0.tools.name);
+        plans
+            .find(hash, robot)
+            .ok_or_else(|| match plans.robot_of(hash) {
+                Some(of) => ReproducingError::OtherRobot {
+                    of,
+                    robot: robot.to_string(),
+                },
+                None => ReproducingError::PlanUnknown,
+            })
     }
 
     async fn known(&self, request: &StartRequest) -> Result<Option<Reproduction>, store::Error> {

@@ -55,6 +55,9 @@ pub struct Demonstration {
     pub state: DemonstrationState,
     /// Where the samples came from.
     pub source: DemonstrationSource,
+    /// The robot that it was recorded from; files come from none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub robot: Option<String>,
     /// When it was begun.
     #[schema(value_type = String, format = DateTime)]
     pub created_at: WallTime,
@@ -87,7 +90,7 @@ pub enum Decision {
 
 /// What is known of a demonstration when its row is made.
 #[derive(Clone, Copy, Debug)]
-pub struct NewDemonstration {
+pub struct NewDemonstration<'a> {
     /// Its identifier.
     pub id: DemonstrationId,
     /// What it is an example of.
@@ -96,6 +99,8 @@ pub struct NewDemonstration {
     pub state: DemonstrationState,
     /// Where the samples come from.
     pub source: DemonstrationSource,
+    /// The robot that it is recorded from; files come from none.
+    pub robot: Option<&'a str>,
 }
 
 pub(super) const WHAT: &str = "demonstration";
@@ -105,7 +110,7 @@ impl Store {
     /// Makes a demonstration's row with the task's next take number.
     pub async fn create_demonstration(
         &self,
-        new: NewDemonstration,
+        new: NewDemonstration<'_>,
         now: WallTime,
     ) -> Result<Demonstration> {
         let mut transaction = self.begin().await?;
@@ -117,7 +122,7 @@ impl Store {
     /// Stores a whole demonstration that came as a file; all of it or nothing.
     pub async fn store_demonstration(
         &self,
-        new: NewDemonstration,
+        new: NewDemonstration<'_>,
         samples: &[Sample],
         signals: &[SignalEvent],
         note: &str,
@@ -153,12 +158,13 @@ impl Store {
             .collect()
     }
 
-    /// The demonstration that is being recorded, if there is one.
-    pub async fn open_demonstration(&self) -> Result<Option<Demonstration>> {
+    /// The demonstration that is being recorded from this robot, if there is one.
+    pub async fn open_demonstration(&self, robot: &str) -> Result<Option<Demonstration>> {
         sqlx::query(
             "SELECT * FROM demonstration WHERE state IN ('preparing', 'recording') \
-             ORDER BY created_at_ms DESC LIMIT 1",
+             AND robot = ? ORDER BY created_at_ms DESC LIMIT 1",
         )
+        .bind(robot)
         .fetch_optional(&self.readers)
         .await?
         .as_ref()
@@ -217,14 +223,14 @@ const SAMPLES_PER_FILE_CHUNK: usize = 1_500;
 
 async fn insert(
     transaction: &mut Transaction<'static, Sqlite>,
-    new: NewDemonstration,
+    new: NewDemonstration<'_>,
     note: Option<&str>,
     now: WallTime,
 ) -> Result<()> {
     sqlx::query(
-        "INSERT INTO demonstration (id, task_id, take, state, source, created_at_ms, note) \
+        "INSERT INTO demonstration (id, task_id, take, state, source, created_at_ms, note, robot) \
          VALUES (?1, ?2, (SELECT COALESCE(MAX(take), 0) + 1 FROM demonstration WHERE task_id = ?2), \
-         ?3, ?4, ?5, ?6)",
+         ?3, ?4, ?5, ?6, ?7)",
     )
     .bind(new.id.to_string())
     .bind(new.task_id.to_string())
@@ -232,6 +238,7 @@ async fn insert(
     .bind(new.source.as_str())
     .bind(now.0)
     .bind(note)
+    .bind(new.robot)
     .execute(&mut **transaction)
     .await?;
     Ok(())
@@ -253,6 +260,7 @@ pub(super) fn from_row(row: &SqliteRow) -> Result<Demonstration> {
         take: row.try_get("take")?,
         state,
         source: parsed(row, "source")?,
+        robot: row.try_get("robot")?,
         created_at: WallTime(row.try_get("created_at_ms")?),
         duration_s,
         samples,

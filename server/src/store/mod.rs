@@ -82,7 +82,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 6] = [
+const MIGRATIONS: [(i64, &str, &str); 7] = [
     (
         1,
         "tasks and demonstrations",
@@ -102,6 +102,11 @@ const MIGRATIONS: [(i64, &str, &str); 6] = [
         4,
         "pairing and audit",
         include_str!("../../../migrations/0004_pairing_and_audit.sql"),
+    ),
+    (
+        5,
+        "robots",
+        include_str!("../../../migrations/0005_robots.sql"),
     ),
     (
         6,

@@ -50,6 +50,9 @@ pub struct Reproduction {
     pub task_id: TaskId,
     /// By which model.
     pub model_id: ModelId,
+    /// The robot that made it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub robot: Option<String>,
     /// The plan that was run: its SHA-256.
     pub plan: String,
     /// Where it is in its life.
@@ -100,6 +103,8 @@ pub struct NewReproduction<'a> {
     pub task_id: TaskId,
     /// By which model.
     pub model_id: ModelId,
+    /// By which robot.
+    pub robot: &'a str,
     /// The plan's SHA-256.
     pub plan: &'a str,
     /// Where the motion is to begin.
@@ -143,8 +148,8 @@ impl Store {
     ) -> Result<Reproduction> {
         sqlx::query(
             "INSERT INTO reproduction (id, task_id, model_id, plan, state, created_at_ms, \
-             start_deg, goal_deg, duration_s, idempotency_key) \
-             VALUES (?, ?, ?, ?, 'running', ?, ?, ?, ?, ?)",
+             start_deg, goal_deg, duration_s, idempotency_key, robot) \
+             VALUES (?, ?, ?, ?, 'running', ?, ?, ?, ?, ?, ?)",
         )
         .bind(new.id.to_string())
         .bind(new.task_id.to_string())
@@ -155,6 +160,7 @@ impl Store {
         .bind(to_json(&new.goal_deg, "goal")?)
         .bind(new.duration_s)
         .bind(new.idempotency_key)
+        .bind(new.robot)
         .execute(&self.writer)
         .await?;
         self.reproduction(new.id).await
@@ -189,9 +195,20 @@ impl Store {
             .transpose()
     }
 
-    /// The reproduction that is running.
-    pub async fn running_reproduction(&self) -> Result<Option<Reproduction>> {
+    /// A reproduction that is stored as running, whichever robot makes it.
+    pub async fn any_running_reproduction(&self) -> Result<Option<Reproduction>> {
         sqlx::query("SELECT * FROM reproduction WHERE state = 'running' LIMIT 1")
+            .fetch_optional(&self.readers)
+            .await?
+            .as_ref()
+            .map(from_row)
+            .transpose()
+    }
+
+    /// The reproduction that this robot is running.
+    pub async fn running_reproduction(&self, robot: &str) -> Result<Option<Reproduction>> {
+        sqlx::query("SELECT * FROM reproduction WHERE state = 'running' AND robot = ? LIMIT 1")
+            .bind(robot)
             .fetch_optional(&self.readers)
             .await?
             .as_ref()
@@ -281,6 +298,7 @@ fn from_row(row: &SqliteRow) -> Result<Reproduction> {
         id: parsed(row, "id")?,
         task_id: parsed(row, "task_id")?,
         model_id: parsed(row, "model_id")?,
+        robot: row.try_get("robot")?,
         plan: row.try_get("plan")?,
         state: parsed(row, "state")?,
         reason: row.try_get("reason")?,

@@ -30,12 +30,13 @@ pub(super) async fn task(store: &Store) -> TaskId {
     id
 }
 
-pub(super) fn new_demonstration(task_id: TaskId) -> NewDemonstration {
+pub(super) fn new_demonstration(task_id: TaskId) -> NewDemonstration<'static> {
     NewDemonstration {
         id: DemonstrationId::new(),
         task_id,
         state: DemonstrationState::Recording,
         source: DemonstrationSource::HandGuiding,
+        robot: Some("left"),
     }
 }
 

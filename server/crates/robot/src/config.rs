@@ -12,12 +12,14 @@ use std::time::Duration;
 pub enum RobotKind {
     /// The virtual GoFa.
     Virtual,
+    /// A GoFa with its own controller.
+    Gofa,
     /// No arm: everything that needs one is refused.
     None,
 }
 
-/// The whole configuration of [`crate::Robot`].
-#[derive(Debug, Clone)]
+/// The whole configuration of [`crate::Robot`]. It can not be printed, because it holds a password.
+#[derive(Clone)]
 pub struct RobotConfig {
     /// Which arm there is.
     pub kind: RobotKind,
@@ -64,13 +66,13 @@ impl RobotConfig {
                 // The virtual controller shares the processor with everything else on a busy
                 // machine; a real one does not, and 100 ms are 25 of its cycles.
                 RobotKind::Virtual => Duration::from_millis(500),
-                RobotKind::None => Duration::from_millis(100),
+                RobotKind::Gofa | RobotKind::None => Duration::from_millis(100),
             },
             real_time: true,
             limits: RobotLimits::gofa5(),
             signals: match kind {
                 RobotKind::Virtual => vec![SignalConfig::virtual_gripper()],
-                RobotKind::None => Vec::new(),
+                RobotKind::Gofa | RobotKind::None => Vec::new(),
             },
         }
     }

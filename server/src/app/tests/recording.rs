@@ -2,7 +2,7 @@
 
 use robot::{HandScript, RobotState};
 
-use super::{App, by_hand, config, heard, robot_is, with_arm};
+use super::{App, arm, by_hand, config, heard, robot_is, with_arm};
 use crate::config::RobotChoice;
 use crate::recording::{HandShowing, RecordingError, RecordingRequest};
 use crate::store::demonstrations::DemonstrationState;
@@ -19,16 +19,16 @@ async fn a_recording_is_begun_once_and_ends_when_it_is_stopped() {
     let (app, task) = with_arm(folder.path()).await;
     let mut events = app.state.events.listen();
     let request = by_hand(task);
-    let (begun, made) = app.state.recorder.start(request).await.unwrap();
+    let (begun, made) = arm(&app).recorder.start(request).await.unwrap();
     assert_eq!((begun.state, made), (DemonstrationState::Recording, true));
-    let (again, made) = app.state.recorder.start(request).await.unwrap();
+    let (again, made) = arm(&app).recorder.start(request).await.unwrap();
     assert_eq!((again.id, made), (begun.id, false));
-    let other = app.state.recorder.start(by_hand(task)).await;
+    let other = arm(&app).recorder.start(by_hand(task)).await;
     assert!(matches!(other, Err(RecordingError::Busy)));
-    let free = app.state.recorder.set_free(true).await;
+    let free = arm(&app).recorder.set_free(true).await;
     assert!(matches!(free, Err(RecordingError::Busy)));
     heard(&mut events, |d| d.duration_s > 1.2).await;
-    let ended = app.state.recorder.stop(begun.id).await.unwrap();
+    let ended = arm(&app).recorder.stop(begun.id).await.unwrap();
     assert_eq!(
         (ended.state, ended.note.as_deref()),
         (DemonstrationState::Recorded, None)
@@ -42,7 +42,7 @@ async fn a_recording_is_begun_once_and_ends_when_it_is_stopped() {
     assert_eq!(samples[0].at_us, 0);
     assert!(samples.windows(2).all(|pair| pair[0].at_us < pair[1].at_us));
     robot_is(&app, RobotState::Idle).await;
-    let twice = app.state.recorder.stop(begun.id).await.unwrap();
+    let twice = arm(&app).recorder.stop(begun.id).await.unwrap();
     assert_eq!(twice.state, DemonstrationState::Recorded);
     app.shutdown().await;
 }
@@ -52,20 +52,20 @@ async fn an_arm_in_somebodys_hand_can_be_recorded_and_a_stop_of_the_arm_is_noted
     let folder = TestFolder::new();
     let (app, task) = with_arm(folder.path()).await;
     let mut events = app.state.events.listen();
-    app.state.recorder.set_free(true).await.unwrap();
-    app.state.recorder.set_free(true).await.unwrap();
+    arm(&app).recorder.set_free(true).await.unwrap();
+    arm(&app).recorder.set_free(true).await.unwrap();
     robot_is(&app, RobotState::Guiding).await;
-    let (begun, _) = app.state.recorder.start(by_hand(task)).await.unwrap();
-    app.state.recorder.hand_returns(HAND).await.unwrap();
+    let (begun, _) = arm(&app).recorder.start(by_hand(task)).await.unwrap();
+    arm(&app).recorder.hand_returns(HAND).await.unwrap();
     heard(&mut events, |d| d.duration_s > 1.2).await;
-    app.state.robot.stop();
+    arm(&app).robot.stop();
     let ended = heard(&mut events, |d| d.state == DemonstrationState::Recorded).await;
     assert_eq!(ended.id, begun.id);
     assert!(ended.usable && ended.note.unwrap().contains("stopped"));
     robot_is(&app, RobotState::Idle).await;
-    app.state.recorder.set_free(true).await.unwrap();
-    app.state.recorder.set_free(false).await.unwrap();
-    app.state.recorder.set_free(false).await.unwrap();
+    arm(&app).recorder.set_free(true).await.unwrap();
+    arm(&app).recorder.set_free(false).await.unwrap();
+    arm(&app).recorder.set_free(false).await.unwrap();
     robot_is(&app, RobotState::Idle).await;
     app.shutdown().await;
 }
@@ -79,9 +79,9 @@ async fn a_showing_prepares_first_and_lead_through_that_fails_closes_it_with_wor
         hand: Some(HAND),
         ..by_hand(task)
     };
-    let (begun, _) = app.state.recorder.start(cut).await.unwrap();
+    let (begun, _) = arm(&app).recorder.start(cut).await.unwrap();
     assert_eq!(begun.state, DemonstrationState::Preparing);
-    let ended = app.state.recorder.stop(cut.id).await.unwrap();
+    let ended = arm(&app).recorder.stop(cut.id).await.unwrap();
     assert_eq!(
         ended.state,
         DemonstrationState::Discarded,
@@ -93,7 +93,7 @@ async fn a_showing_prepares_first_and_lead_through_that_fails_closes_it_with_wor
         hand: Some(HAND),
         ..by_hand(task)
     };
-    app.state.recorder.start(showing).await.unwrap();
+    arm(&app).recorder.start(showing).await.unwrap();
     heard(&mut events, |d| {
         d.state == DemonstrationState::Recording && d.duration_s > 1.2
     })
@@ -110,7 +110,7 @@ async fn a_server_that_is_stopped_closes_the_recording() {
     let folder = TestFolder::new();
     let (app, task) = with_arm(folder.path()).await;
     let mut events = app.state.events.listen();
-    let (begun, _) = app.state.recorder.start(by_hand(task)).await.unwrap();
+    let (begun, _) = arm(&app).recorder.start(by_hand(task)).await.unwrap();
     heard(&mut events, |d| d.samples > 20).await;
     app.shutdown().await;
     let app = App::start(config(folder.path(), RobotChoice::None))

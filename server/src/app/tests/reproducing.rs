@@ -6,8 +6,9 @@ use std::time::Duration;
 use motion::JointAngles;
 use tokio::time::timeout;
 
-use super::{RunningApp, with_arm};
-use crate::ids::TaskId;
+use super::{RunningApp, arm, with_arm};
+use crate::arms::Arm;
+use crate::ids::{ModelId, TaskId};
 use crate::planning::{PlanRequest, Target};
 use crate::plans::KnownPlan;
 use crate::reproducing::{ReproducingError, StartRequest};
@@ -19,9 +20,15 @@ use crate::uploads;
 
 /// Plans a short motion from where the arm stands, by a model that is trained for it.
 async fn planned(app: &RunningApp, task: TaskId) -> Arc<KnownPlan> {
+    let model = trained(app, task).await;
+    plan_for(app, arm(app), task, model).await
+}
+
+/// A model of a short motion from where the first arm stands.
+pub(super) async fn trained(app: &RunningApp, task: TaskId) -> ModelId {
     let state = &app.state;
     let (mut events, now) = (state.events.listen(), state.clock.now());
-    let home = state.robot.view().borrow().joints_deg.unwrap();
+    let home = arm(app).robot.view().borrow().joints_deg.unwrap();
     let mut text = "t_s,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
     for row in 0..=60 {
         // Every joint has a pace of its own, so that the path is no straight line.
@@ -50,15 +57,26 @@ async fn planned(app: &RunningApp, task: TaskId) -> Arc<KnownPlan> {
         }
     };
     timeout(Duration::from_secs(120), trained).await.unwrap();
-    let learnt = training::load(&state.store, model.id).await.unwrap();
+    model.id
+}
+
+/// A plan of this model for this arm, as it stands.
+pub(super) async fn plan_for(
+    app: &RunningApp,
+    arm: &Arm,
+    task: TaskId,
+    model: ModelId,
+) -> Arc<KnownPlan> {
+    let learnt = training::load(&app.state.store, model).await.unwrap();
     let request = PlanRequest {
         start: Target::AsTaught,
         goal: Target::AsTaught,
         speed: 1.0,
     };
-    let present = state.robot.view().borrow().joints_deg.map(JointAngles);
-    let plan = KnownPlan::make(task, model.id, learnt, &request, present).unwrap();
-    state.plans.remember(plan)
+    let present = arm.robot.view().borrow().joints_deg.map(JointAngles);
+    let (id, limits) = (&arm.id, &arm.limits);
+    let plan = KnownPlan::make(id, limits, task, model, learnt, &request, present).unwrap();
+    app.state.plans.remember(plan)
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -71,7 +89,7 @@ async fn a_motion_is_started_once_and_judged_by_what_was_measured() {
         id: None,
         key: Some("once".into()),
     };
-    let reproducer = &app.state.reproducer;
+    let reproducer = &arm(&app).reproducer;
     let begun = reproducer.start(start.clone()).await.unwrap();
     assert_eq!(begun.state, ReproductionState::Running);
     assert_eq!(reproducer.start(start.clone()).await.unwrap().id, begun.id);
@@ -133,18 +151,18 @@ async fn a_motion_can_be_stopped_and_says_so() {
         id: None,
         key: None,
     };
-    let begun = app.state.reproducer.start(start).await.unwrap();
-    let mut view = app.state.robot.view();
+    let begun = arm(&app).reproducer.start(start).await.unwrap();
+    let mut view = arm(&app).robot.view();
     let moving = view.wait_for(|view| view.run.is_some_and(|run| run.t_s > 0.2));
     timeout(Duration::from_secs(20), moving)
         .await
         .unwrap()
         .unwrap();
-    let stopped = app.state.reproducer.stop(begun.id).await.unwrap();
+    let stopped = arm(&app).reproducer.stop(begun.id).await.unwrap();
     assert_eq!(stopped.state, ReproductionState::Stopped);
     assert_eq!((stopped.e_j_deg, stopped.gmcc), (None, None));
     assert!(stopped.tracking_error_deg.is_some() && stopped.finished_at.is_some());
-    let twice = app.state.reproducer.stop(begun.id).await.unwrap();
+    let twice = arm(&app).reproducer.stop(begun.id).await.unwrap();
     assert_eq!(twice, stopped);
     app.shutdown().await;
 }

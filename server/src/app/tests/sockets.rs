@@ -11,14 +11,14 @@ use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
 use super::super::StartError;
-use super::{App, by_hand, config, robot_is, with_arm};
+use super::{App, arm, by_hand, config, robot_is, with_arm};
 use crate::announcement;
 use crate::config::{Config, RobotChoice};
 use crate::test_support::TestFolder;
 
-type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
+pub(super) type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 
-async fn next(socket: &mut Socket, kind: &str) -> Value {
+pub(super) async fn next(socket: &mut Socket, kind: &str) -> Value {
     let wait = async {
         loop {
             if let Some(Ok(Message::Text(text))) = socket.next().await {
@@ -61,7 +61,7 @@ async fn the_live_socket_shows_everything_and_stops_the_arm() {
         (&snapshot["demonstration"], &snapshot["jobs"]),
         (&Value::Null, &json!([]))
     );
-    let (begun, _) = app.state.recorder.start(by_hand(task)).await.unwrap();
+    let (begun, _) = arm(&app).recorder.start(by_hand(task)).await.unwrap();
     let told = next(&mut socket, "demonstration").await;
     assert_eq!(told["demonstration"]["id"], begun.id.to_string());
     next(&mut socket, "robot").await;

@@ -155,6 +155,7 @@ async fn a_take_that_nothing_can_be_learnt_from_is_named_and_the_others_are_comp
         task_id: task.parse().unwrap(),
         state: DemonstrationState::Recorded,
         source: DemonstrationSource::HandGuiding,
+        robot: Some("left"),
     };
     let stored = api
         .state

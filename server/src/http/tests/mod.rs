@@ -18,12 +18,13 @@ use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::extract::connect_info::MockConnectInfo;
 use axum::http::{HeaderMap, Request, StatusCode, header};
+use motion::limits::RobotLimits;
 use serde_json::Value;
 use tower::ServiceExt;
 
 use super::{AppState, router::router};
+use crate::arms::StartedRobot;
 use crate::clock::{FixedClock, WallTime};
-use crate::config::RobotChoice;
 use crate::pairing::{Gatekeeper, PairingCode};
 use crate::store::Store;
 use crate::test_support::TestFolder;
@@ -100,7 +101,13 @@ impl Api {
             .await
             .unwrap();
         let clock = FixedClock::at(NOW);
-        let state = AppState::new(store, clock.clone(), robot, RobotChoice::None, gatekeeper);
+        let none = StartedRobot {
+            id: "none".to_owned(),
+            name: "No robot".to_owned(),
+            limits: RobotLimits::gofa5(),
+            robot,
+        };
+        let state = AppState::new(store, clock.clone(), vec![none], gatekeeper);
         let client = SocketAddr::from(([192, 0, 2, 7], 50_000));
         Self {
             router: router(state.clone()).layer(MockConnectInfo(client)),

@@ -151,7 +151,7 @@ async fn a_recording_that_was_cut_off_keeps_every_chunk_and_is_offered() {
     assert_eq!(offered.note.as_deref(), Some("cut off"));
     let nothing = store.demonstration(empty.id).await.unwrap();
     assert_eq!(nothing.state, DemonstrationState::Discarded);
-    assert!(store.open_demonstration().await.unwrap().is_none());
+    assert!(store.open_demonstration("left").await.unwrap().is_none());
     let kept = store.decide(cut.id, Decision::Keep).await.unwrap();
     assert_eq!(kept.state, DemonstrationState::Kept);
 }
@@ -162,7 +162,7 @@ async fn preparing_turns_into_recording_once() {
     let mut new = new_demonstration(task(&store).await);
     new.state = DemonstrationState::Preparing;
     store.create_demonstration(new, NOW).await.unwrap();
-    let open = store.open_demonstration().await.unwrap().unwrap();
+    let open = store.open_demonstration("left").await.unwrap().unwrap();
     assert_eq!(open.state, DemonstrationState::Preparing);
     let recording = store.begin_recording(new.id).await.unwrap();
     assert_eq!(recording.state, DemonstrationState::Recording);

@@ -14,6 +14,7 @@ async fn running(store: &Store) -> ReproductionId {
         id: ReproductionId::new(),
         task_id: task,
         model_id: model.id,
+        robot: "left",
         plan: "aa",
         start_deg: &[1.0; 6],
         goal_deg: &[2.0; 6],

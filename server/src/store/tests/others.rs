@@ -35,6 +35,7 @@ fn new<'a>(task_id: TaskId, model_id: crate::ids::ModelId, key: &'a str) -> NewR
         id: ReproductionId::new(),
         task_id,
         model_id,
+        robot: "left",
         plan: "aa",
         start_deg: &[1.0; 6],
         goal_deg: &[2.0; 6],
@@ -54,7 +55,7 @@ async fn a_reproduction_is_closed_with_its_figures() {
         .unwrap();
     assert_eq!(made.state, ReproductionState::Running);
     assert_eq!(
-        store.running_reproduction().await.unwrap(),
+        store.running_reproduction("left").await.unwrap(),
         Some(made.clone())
     );
     let by_key = store.reproduction_by_key("k").await.unwrap();
@@ -90,7 +91,7 @@ async fn a_reproduction_is_closed_with_its_figures() {
     assert_eq!(done.e_j_deg, Some(0.01));
     assert_eq!(done.tracking_error_deg, result.tracking_error_deg);
     assert_eq!(done.cycles, result.cycles);
-    assert!(store.running_reproduction().await.unwrap().is_none());
+    assert!(store.running_reproduction("left").await.unwrap().is_none());
     assert_eq!(
         store.reproductions(Some(task)).await.unwrap(),
         std::slice::from_ref(&done)

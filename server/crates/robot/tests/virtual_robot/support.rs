@@ -6,7 +6,7 @@ use motion::limits::RobotLimits;
 use motion::plan::Plan;
 use robot::{
     CycleRecord, FlightEvent, Robot, RobotConfig, RobotKind, RobotState, RobotView, RunEnd,
-    RunHandle,
+    RunHandle, SignalSet,
 };
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
@@ -99,6 +99,7 @@ pub struct Ended {
     pub end: RunEnd,
     pub record: Vec<CycleRecord>,
     pub events: Vec<FlightEvent>,
+    pub signals: Vec<SignalSet>,
     /// Chunks that came while the run went on.
     pub chunks: usize,
 }
@@ -123,6 +124,7 @@ pub async fn outcome(mut run: RunHandle) -> Ended {
         end: outcome.end,
         record,
         events,
+        signals: outcome.signals,
         chunks,
     }
 }
