@@ -1,15 +1,16 @@
 // Every request the app makes, one line each.
-import { request } from "./client";
+import { address, request } from "./client";
 import type {
   Curve,
   Demonstration,
+  Flight,
+  FlightEvent,
   HandScript,
   Job,
   Model,
   Plan,
   PlanRequest,
   Reproduction,
-  ReproductionTrajectory,
   Session,
   Task,
   TaskAgreement,
@@ -75,5 +76,10 @@ export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", {
 export const startReproduction = (id: string, plan: string) =>
   request<Reproduction>("POST", "/reproductions", { body: { id, plan } });
 export const getReproduction = (id: string) => request<Reproduction>("GET", `/reproductions/${id}`);
-export const getReproductionTrajectory = (id: string, points: number) =>
-  request<ReproductionTrajectory>("GET", `/reproductions/${id}/trajectory?max_points=${points}`);
+export const getFlight = (id: string, points: number) =>
+  request<Flight>("GET", `/reproductions/${id}/flight?points=${points}`);
+export const getFlightEvents = (id: string) =>
+  request<FlightEvent[]>("GET", `/reproductions/${id}/events`);
+/** For a link: the browser saves the file as it comes. */
+export const flightFile = (id: string, kind: "csv" | "mcap") =>
+  address(`/reproductions/${id}/flight.${kind}`);

@@ -203,15 +203,52 @@ export interface Reproduction {
   e_j_deg?: number | null;
   e_j_commanded_deg?: number | null;
   gmcc?: number | null;
-  tracking_error_deg?: { mean: number; max: number } | null;
+  tracking_error_deg?: TrackingError | null;
+  armed_at?: string | null;
+  cycles?: CycleCounts | null;
   duration_s: number;
 }
 
-export interface ReproductionTrajectory {
+/** How far the arm was from where it was asked to be. */
+export interface TrackingError {
+  mean: number;
+  max: number;
+  max_by_joint?: Joints | null;
+  rms_by_joint?: Joints | null;
+}
+
+export interface CycleCounts {
+  total: number;
+  lost: number;
+  late: number;
+  held: number;
+  limited: number;
+}
+
+/** A flight record, thinned out so that every extreme survives. */
+export interface Flight {
+  end_s: number;
   t_s: number[];
+  plan_t_s: number[];
+  phase: (string | null)[];
   commanded_deg: number[][];
+  commanded_min_deg: number[][];
+  commanded_max_deg: number[][];
   measured_deg: number[][];
+  measured_min_deg: number[][];
+  measured_max_deg: number[][];
+  error_max_deg: number[][];
+  lost: number[];
+  late: number[];
+  held: number[];
+  limited: number[];
   signals: RunSignalMark[];
+}
+
+export interface FlightEvent {
+  at_s: number;
+  code: string;
+  message: string;
 }
 
 export type RobotState =

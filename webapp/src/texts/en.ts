@@ -1,10 +1,12 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { flight } from "./en-flight";
 import { robot } from "./en-robot";
 import { run } from "./en-run";
 import { signals } from "./en-signals";
 import { teach } from "./en-teach";
 
 export const en = {
+  flight,
   robot,
   run,
   signals,

@@ -77,9 +77,9 @@ impl RunSlot {
         (Arc::clone(&self.plan), &mut self.signals)
     }
 
-    /// Puts something that happens now on the flight record's time line.
-    pub(super) fn note(&mut self, code: &'static str, words: String) {
-        self.flight.event(code, words);
+    /// Something that happened goes on the flight record's time line.
+    pub(super) fn note(&mut self, code: &'static str, message: String) {
+        self.flight.event(code, message);
     }
 
     /// What the supervisor knows goes on the flight record's time line.

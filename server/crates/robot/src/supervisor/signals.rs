@@ -181,7 +181,11 @@ impl Supervisor {
                     late_ms = 1000.0 * done.set.late_s,
                     "a signal of the motion is set"
                 );
-                let words = format!("{} is {}.", done.set.name, u8::from(done.set.on));
+                let words = format!(
+                    "Signal {} was set to {}.",
+                    done.set.name,
+                    u8::from(done.set.on)
+                );
                 signals.set.push(done.set);
                 slot.note("signal_set", words);
             }

@@ -139,6 +139,11 @@ async fn a_plan_sets_its_signals_when_it_comes_to_them() {
         .filter(|event| event.code == "signal_set");
     assert_eq!(noted.count(), 3);
     let set: Vec<(f64, bool)> = outcome.signals.iter().map(|s| (s.at_s, s.on)).collect();
+    let noted = outcome
+        .events
+        .iter()
+        .filter(|event| event.code == "signal_set");
+    assert_eq!(noted.count(), set.len(), "{:?}", outcome.events);
     assert_eq!(
         set,
         [(0.0, false), (1.0, true), (2.0, false)],
