@@ -1,10 +1,12 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
 import { robot } from "./en-robot";
+import { robots } from "./en-robots";
 import { run } from "./en-run";
 import { teach } from "./en-teach";
 
 export const en = {
   robot,
+  robots,
   run,
   teach,
   app: {
