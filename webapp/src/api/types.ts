@@ -6,7 +6,6 @@ export type Joints = number[];
 export interface Session {
   paired: boolean;
   pairing_required: boolean;
-  robot: "virtual" | "none";
   version: string;
 }
 
@@ -27,6 +26,7 @@ export interface Demonstration {
   take: number;
   state: DemonstrationState;
   source: "hand_guiding" | "virtual_hand" | "file";
+  robot?: string | null;
   created_at: string;
   duration_s: number;
   samples: number;
@@ -169,6 +169,7 @@ export type Placement = "as_taught" | "present" | { joints_deg: Joints };
 
 export interface PlanRequest {
   model_id: string;
+  robot?: string;
   start: Placement;
   goal: Placement;
   speed: number;
@@ -176,6 +177,7 @@ export interface PlanRequest {
 
 export interface Plan {
   plan: string;
+  robot: string;
   model_id: string;
   start_deg: Joints;
   goal_deg: Joints;
@@ -193,6 +195,7 @@ export interface Reproduction {
   id: string;
   task_id: string;
   model_id: string;
+  robot?: string | null;
   plan: string;
   state: "running" | "succeeded" | "stopped" | "failed";
   reason?: string | null;
@@ -266,10 +269,14 @@ export interface SignalAnswer {
 }
 
 export interface RobotView {
-  kind: "virtual" | "none";
+  id: string;
+  name: string;
+  kind: "virtual" | "gofa" | "none";
   state: RobotState;
   joints_deg?: Joints | null;
   age_ms: number;
+  /** The link on which the arm is controlled. */
+  egm: { connected: boolean; cycles: number; lost: number; late: number; real_time: boolean };
   lead_through?: boolean | null;
   hand?: "idle" | "returning" | "showing" | null;
   fault?: Failure | null;
