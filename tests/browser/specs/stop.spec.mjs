@@ -22,7 +22,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-test("Stop ends a run, says so, and the arm can be started again by a person", async () => {
+test("a motion is paused, goes on, is stopped, and can be led back or started again by a person", async () => {
   const phone = await newPhone(browser);
   const { page } = phone;
   const task = await taskFromFiles("To be stopped");
@@ -31,10 +31,20 @@ test("Stop ends a run, says so, and the arm can be started again by a person", a
   await linkNamed(page, "Run it").click();
   await preview(page);
   await startMotion(page);
+  await button(page, "Pause").click();
+  await page.getByRole("status").getByText("Paused").waitFor();
+  await inspect(page, "run-paused");
+  await button(page, "Go on").click();
+  await button(page, "Slower").click();
+  await page.getByText("Speed 75").waitFor();
   await button(page, "Stop").click();
   await heading(page, "Stopped").waitFor();
   await page.getByText("The arm was stopped before the goal.").waitFor();
   await inspect(page, "run-stopped");
+  await button(page, "Back to the start").click();
+  await heading(page, "Planned motion").waitFor();
+  assert.ok(await button(page, "Start").isVisible());
+  await page.goBack();
   await button(page, "Run again").click();
   await heading(page, "Planned motion").waitFor();
   assert.ok(await button(page, "Start").isVisible());

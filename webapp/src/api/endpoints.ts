@@ -82,6 +82,9 @@ export const setSignal = (robot: string, signal: string, on: boolean) =>
 export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", { body });
 export const startReproduction = (id: string, robot: string, plan: string) =>
   request<Reproduction>("POST", "/reproductions", { body: { id, robot, plan } });
+export const changePace = (id: string, pace: { speed?: number; paused?: boolean }) =>
+  request<null>("POST", `/reproductions/${id}/pace`, { body: pace }).then(() => undefined);
+export const planWayBack = (id: string) => request<Plan>("POST", `/reproductions/${id}/back`);
 export const getReproduction = (id: string) => request<Reproduction>("GET", `/reproductions/${id}`);
 export const getFlight = (id: string, points: number) =>
   request<Flight>("GET", `/reproductions/${id}/flight?points=${points}`);

@@ -1,6 +1,6 @@
 // What a person chose for a run, per task, kept while the app is open; and the plan made from it.
 import { signal } from "@preact/signals";
-import { makePlan } from "../api/endpoints";
+import { makePlan, planWayBack } from "../api/endpoints";
 import type { Placement, Plan, PlanRequest } from "../api/types";
 import { readJoints } from "../format/joint-ranges";
 import { fixed } from "../format/numbers";
@@ -52,6 +52,12 @@ export async function preview(task: string, model: string): Promise<void> {
   const request = planRequest(model, setupOf(task));
   if (request === null) return;
   const plan = await makePlan({ ...request, robot: robotId.peek() });
+  plans.value = new Map(plans.peek()).set(task, plan);
+}
+
+/** Asks for the way back of a motion that was stopped and keeps it for the preview. */
+export async function previewWayBack(task: string, motion: string): Promise<void> {
+  const plan = await planWayBack(motion);
   plans.value = new Map(plans.peek()).set(task, plan);
 }
 

@@ -1,6 +1,6 @@
 // A run while the arm moves, and what came of it.
 import { useComputed } from "@preact/signals";
-import type { Reproduction } from "../../api/types";
+import type { Reproduction, RobotView } from "../../api/types";
 import { Button, ButtonLink } from "../../components/button";
 import { LoadNotice, ProblemNotice } from "../../components/notice";
 import { OfflineNotice } from "../../components/offline-notice";
@@ -12,9 +12,10 @@ import { loadReproduction, readyModel, reproductions, loadModels } from "../../s
 import { useAction, useLoad } from "../../state/hooks";
 import { robot } from "../../state/live";
 import { go } from "../../state/navigation";
-import { preview } from "../../state/run-setup";
+import { preview, previewWayBack } from "../../state/run-setup";
 import { t } from "../../texts";
 import { MotionResult } from "./motion-result";
+import { Pace } from "./pace";
 
 export function MotionPage({ task, motion: id }: { task: string; motion: string }) {
   const load = useLoad(() => loadReproduction(id), id);
@@ -27,19 +28,22 @@ export function MotionPage({ task, motion: id }: { task: string; motion: string 
     );
   }
   return motion.state === "running" ? (
-    <Moving key="moving" />
+    <Moving key="moving" motion={id} />
   ) : (
     <Finished key="finished" motion={motion} />
   );
 }
 
-function Moving() {
+function Moving({ motion }: { motion: string }) {
   const text = useComputed(() => JSON.stringify(robot.value?.run ?? null));
-  const run = JSON.parse(text.value) as { phase: string; t_s: number; duration_s: number } | null;
+  const run = JSON.parse(text.value) as RobotView["run"] | null;
   const phases: Record<string, string> = t.run.phases;
   const times = run ? t.run.of(duration(run.t_s), duration(run.duration_s)) : "";
   return (
-    <Page title={t.run.moving}>
+    <Page
+      title={t.run.moving}
+      actions={run && <Pace motion={motion} speed={run.speed} paused={run.paused} />}
+    >
       <OfflineNotice />
       <div class="card tone-moving">
         <p class="phase" role="status">
@@ -63,12 +67,22 @@ function Finished({ motion }: { motion: Reproduction }) {
     await preview(task, readyModel(task)?.id ?? motion.model_id);
     go({ page: "preview", task });
   });
+  const back = useAction(async () => {
+    await previewWayBack(task, motion.id);
+    go({ page: "preview", task });
+  });
+  const problem = again.problem ?? back.problem;
   return (
     <Page
       title={t.run.states[motion.state]}
       back={{ page: "run" }}
       actions={
         <>
+          {motion.state === "stopped" && (
+            <Button icon="back" busy={back.busy && t.run.planningBack} onPress={back.start}>
+              {t.run.back}
+            </Button>
+          )}
           <ButtonLink to={{ page: "setup", task }} icon="pencil">
             {t.run.otherGoal}
           </ButtonLink>
@@ -83,7 +97,7 @@ function Finished({ motion }: { motion: Reproduction }) {
         </>
       }
     >
-      {again.problem && <ProblemNotice title={t.run.refused} problem={again.problem} />}
+      {problem && <ProblemNotice title={t.run.refused} problem={problem} />}
       <MotionResult motion={motion} />
     </Page>
   );
