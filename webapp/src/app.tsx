@@ -7,6 +7,7 @@ import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
 import { PairingPage } from "./pages/pairing";
+import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
 import { PreviewPage } from "./pages/run/preview";
 import { RunPage } from "./pages/run/run";
@@ -22,23 +23,28 @@ import { link, type Route } from "./router";
 import { useLoad } from "./state/hooks";
 import { startLive } from "./state/live";
 import { route, type Target } from "./state/navigation";
+import { robotId } from "./state/robots";
 import { beginSession, mustPair, session } from "./state/session";
 import { t } from "./texts";
 
 export function App() {
   const load = useLoad(beginSession, "session");
   const open = session.value !== null && !mustPair.value;
+  const robot = robotId.value;
+  const ready = open && robot !== "";
   useEffect(() => {
-    if (open) startLive();
-  }, [open]);
+    if (ready) startLive(robot);
+  }, [ready, robot]);
   return (
     <div class="frame">
       <header>
         <RobotBar />
-        {open && <Sections />}
+        {ready && <Sections />}
       </header>
-      {open ? (
+      {ready ? (
         <Screen route={route.value} />
+      ) : open ? (
+        <RobotsPage />
       ) : mustPair.value ? (
         <PairingPage problem={load.problem} />
       ) : (
@@ -53,7 +59,8 @@ export function App() {
 
 function Sections() {
   const run: ReadonlySet<Route["page"]> = new Set(["run", "setup", "preview", "motion"]);
-  const here = run.has(route.value.page) ? "run" : "teach";
+  const { page: shown } = route.value;
+  const here = shown === "robots" ? "robots" : run.has(shown) ? "run" : "teach";
   const tab = (page: "teach" | "run", icon: IconName) => (
     <a href={link({ page } as Target)} aria-current={here === page ? "page" : undefined}>
       <Icon name={icon} />
@@ -85,6 +92,8 @@ function Screen({ route }: { route: Route }) {
       return <TakePage key={route.take} task={route.task} take={route.take} />;
     case "model":
       return <ModelPage key={route.model} task={route.task} model={route.model} />;
+    case "robots":
+      return <RobotsPage key="robots" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

@@ -6,6 +6,7 @@ import "./styles/frame.css";
 import "./styles/controls.css";
 import "./styles/content.css";
 import "./styles/plots.css";
+import "./styles/flight.css";
 
 const place = document.getElementById("app");
 if (place) render(<App />, place);

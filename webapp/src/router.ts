@@ -8,6 +8,7 @@ export type Route =
   | { page: "record"; task: string }
   | { page: "take"; task: string; take: string }
   | { page: "model"; task: string; model: string }
+  | { page: "robots" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
@@ -30,6 +31,7 @@ export function parse(hash: string): Route {
     if (place === "takes" && id !== undefined) return { page: "take", task, take: id };
     if (place === "models" && id !== undefined) return { page: "model", task, model: id };
   }
+  if (section === "robots" && task === undefined) return { page: "robots" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
@@ -54,6 +56,8 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return `#/teach/${encodeURIComponent(route.task)}/takes/${encodeURIComponent(route.take)}`;
     case "model":
       return `#/teach/${encodeURIComponent(route.task)}/models/${encodeURIComponent(route.model)}`;
+    case "robots":
+      return "#/robots";
     case "run":
       return "#/run";
     case "setup":

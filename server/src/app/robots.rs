@@ -4,6 +4,7 @@
 //! and it is asked again until it answers.
 
 use robot::{Robot, RobotError, RobotKind};
+use tracing::Instrument;
 use virtual_controller::VirtualController;
 
 use super::StartError;
@@ -20,7 +21,9 @@ pub(super) async fn start(
             robot: one.id.clone(),
             error,
         };
-        let robot = Robot::start(one.robot_config()).await.map_err(refused)?;
+        let span = tracing::info_span!("robot", id = one.id);
+        let starting = Robot::start(one.robot_config()).instrument(span);
+        let robot = starting.await.map_err(refused)?;
         if one.kind == RobotKind::Virtual {
             let arm = virtual_controller::Config::new(robot.egm_addr());
             let arm =

@@ -243,6 +243,9 @@ impl From<RecordingError> for ApiError {
             RecordingError::Busy => {
                 Self::conflict("robot_busy", sentence(&error)).advise("Stop that recording first.")
             }
+            RecordingError::NoVirtualHand => {
+                Self::conflict("no_virtual_hand", sentence(&error)).advise("Guide the arm by hand.")
+            }
             RecordingError::NotOpen => Self::conflict("wrong_state", sentence(&error)),
             RecordingError::Closing => Self::new(
                 StatusCode::SERVICE_UNAVAILABLE,

@@ -9,6 +9,7 @@ use utoipa::{IntoParams, ToSchema};
 
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
+use super::signals::RunSignalMark;
 use super::state::AppState;
 use super::trajectories::{columns, seconds};
 use crate::flight::{Bucket, Decimation, Export, Format, file_name};
@@ -61,6 +62,8 @@ pub struct Flight {
     held: Vec<u64>,
     /// Cycles in which the setpoint was slowed down to stay within the limits.
     limited: Vec<u64>,
+    /// The signals that the motion has set, when it is over; all of them, whatever the stretch.
+    signals: Vec<RunSignalMark>,
 }
 
 /// Something that happened during a motion.
@@ -93,7 +96,8 @@ pub async fn show(
     while let Some(cycles) = pages.next().await? {
         decimation.add(&cycles);
     }
-    Ok(Json(flight_of(&decimation.finish(), end_us)))
+    let signals = RunSignalMark::all(state.store.run_signals(id).await?);
+    Ok(Json(flight_of(&decimation.finish(), end_us, signals)))
 }
 
 /// What happened during a motion, in order.
@@ -214,7 +218,7 @@ fn microseconds(field: &str, value_s: Option<f64>) -> Result<Option<u64>, ApiErr
     }
 }
 
-fn flight_of(buckets: &[Bucket], end_us: u64) -> Flight {
+fn flight_of(buckets: &[Bucket], end_us: u64, signals: Vec<RunSignalMark>) -> Flight {
     let angles = |of: fn(&Bucket) -> [f64; 6]| columns(buckets.iter().map(of));
     let counts = |of: fn(&Bucket) -> u64| buckets.iter().map(of).collect();
     let first = |bucket: &Bucket| bucket.first;
@@ -243,5 +247,6 @@ fn flight_of(buckets: &[Bucket], end_us: u64) -> Flight {
         late: counts(|bucket| bucket.late),
         held: counts(|bucket| bucket.held),
         limited: counts(|bucket| bucket.limited),
+        signals,
     }
 }

@@ -7,7 +7,7 @@ mod session;
 
 use std::sync::Arc;
 
-use robot::{GuidanceEvent, HandCommand, HandScript, Robot, RobotError};
+use robot::{GuidanceEvent, HandCommand, HandScript, Robot, RobotError, RobotKind};
 use tokio::sync::{Mutex, mpsc, watch};
 use tokio::task::JoinHandle;
 
@@ -33,6 +33,9 @@ pub enum RecordingError {
     /// Another recording is open.
     #[error("the arm is busy with another recording")]
     Busy,
+    /// Only a virtual arm has a hand that shows by itself.
+    #[error("a real robot has no virtual hand")]
+    NoVirtualHand,
     /// The recording's state says open, but nobody records.
     #[error("this demonstration is not being recorded")]
     NotOpen,
@@ -183,6 +186,9 @@ impl Recorder {
             Err(error) => return Err(error.into()),
         }
         tools.store.task(request.task_id).await?;
+        if request.hand.is_some() {
+            tools.has_virtual_hand()?;
+        }
         let samples = self.soft_arm(&mut guiding).await?;
         let made = tools
             .store
@@ -257,6 +263,7 @@ impl Recorder {
 
     /// Has the virtual hand bring the arm to where a showing begins.
     pub async fn hand_returns(&self, hand: HandShowing) -> Result<(), RecordingError> {
+        self.0.tools.has_virtual_hand()?;
         let HandShowing { script, seed } = hand;
         let command = HandCommand::Return { script, seed };
         Ok(self.0.tools.robot.virtual_hand(command).await?)
@@ -301,6 +308,14 @@ impl Recorder {
 }
 
 impl Tools {
+    /// Refuses before a real arm would be made soft for a hand that never comes.
+    fn has_virtual_hand(&self) -> Result<(), RecordingError> {
+        match self.robot.kind() {
+            RobotKind::Gofa => Err(RecordingError::NoVirtualHand),
+            RobotKind::Virtual | RobotKind::None => Ok(()),
+        }
+    }
+
     /// Makes the arm stiff; one that is stiff already stays so.
     async fn stop_guidance(&self) -> Result<(), RobotError> {
         match self.robot.stop_guidance().await {

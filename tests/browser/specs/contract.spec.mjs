@@ -12,7 +12,6 @@ const source = (name) =>
 const NAMES = {
   PlanRequest: "NewPlan",
   Progress: "JobProgress",
-  ReproductionTrajectory: "RunTrajectory",
   RobotView: "RobotAnswer",
 };
 /** Described by the server as free JSON only. */

@@ -59,7 +59,7 @@ test("without network the robot's state is shown as old, and comes back by itsel
   const { page } = phone;
   let cut = false;
   const open = new Set();
-  await page.routeWebSocket(/\/api\/v1\/live$/, (socket) => {
+  await page.routeWebSocket(/\/api\/v1\/live\?/, (socket) => {
     if (cut) return socket.close();
     socket.connectToServer();
     open.add(socket);

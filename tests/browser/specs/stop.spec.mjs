@@ -44,9 +44,9 @@ test("Stop ends a run, says so, and the arm can be started again by a person", a
 test("Stop reaches the server when the live connection is down", async () => {
   const phone = await newPhone(browser);
   const { page } = phone;
-  await page.routeWebSocket(/\/api\/v1\/live$/, (socket) => socket.close());
+  await page.routeWebSocket(/\/api\/v1\/live\?/, (socket) => socket.close());
   await openApp(page);
-  const request = page.waitForRequest((one) => one.url().endsWith("/api/v1/robot/stop"));
+  const request = page.waitForRequest((one) => one.url().endsWith("/api/v1/robots/virtual/stop"));
   await button(page, "Stop").click();
   assert.equal((await (await request).response()).status(), 204);
   await page.getByText("Stop was sent").waitFor();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { inspect } from "../support/layout.mjs";
-import { hangUp, newPhone, openApp, openBrowser } from "../support/phone.mjs";
+import { hangUp, newPhone, openApp, openBrowser, until } from "../support/phone.mjs";
 import {
   button,
   figure,
@@ -76,6 +76,7 @@ test("a motion is taught by three takes and the arm does it", async () => {
   await inspect(page, "run-result");
   assert.ok((await figureNumber(page, "End error in the joints (e_j)")) <= 0.3);
   assert.ok((await figureNumber(page, "Likeness of the path (GMCC)")) >= 0.95);
+  await replayAndTakeAway(page);
 
   await button(page, "Run again").click();
   await heading(page, "Planned motion").waitFor();
@@ -85,6 +86,35 @@ test("a motion is taught by three takes and the arm does it", async () => {
   await inspect(page, "run-start");
   await hangUp(phone);
 });
+
+/** The record of the motion: played back, told in events, and saved as files. */
+async function replayAndTakeAway(page) {
+  const slider = page.getByRole("slider", { name: "Time in the motion" });
+  const at = () => slider.evaluate((input) => input.valueAsNumber);
+  await button(page, "Play").click();
+  await until(page, "the replay goes on", async () => (await at()) > 0.5);
+  await button(page, "Pause").click();
+  await slider.press("End");
+  const table = page.getByRole("table", { name: "Joint angles at this time" });
+  assert.equal(await table.getByRole("row").count(), 7);
+  await page.getByText("Coming to rest", { exact: true }).waitFor();
+  await inspect(page, "run-replay");
+  await page.getByText("The arm stands at the end of the plan.").waitFor();
+  await page.getByText("Off the plan, joint by joint").click();
+  await inspect(page, "run-by-joint");
+  await linkNamed(page, "Table (CSV)").scrollIntoViewIfNeeded();
+  await inspect(page, "run-files");
+  for (const [name, ending] of [
+    ["Table (CSV)", /^motion_\w+\.csv$/],
+    ["Recording (MCAP)", /^motion_\w+\.mcap$/],
+  ]) {
+    const saved = page.waitForEvent("download");
+    await linkNamed(page, name).click();
+    const file = await saved;
+    assert.match(file.suggestedFilename(), ending);
+    assert.equal(await file.failure(), null);
+  }
+}
 
 /** Another goal, typed with a decimal comma: a slip is caught at once, and the arm gets there. */
 async function runToTypedGoal(page) {

@@ -20,7 +20,7 @@ test("answers come as values, an empty one as null", async () => {
   answer(200, '{"id":"a"}');
   expect(await request("GET", "/tasks/a")).toEqual({ id: "a" });
   answer(204, null);
-  expect(await request("POST", "/robot/stop")).toBeNull();
+  expect(await request("POST", "/robots/stop")).toBeNull();
 });
 
 test("bodies are JSON, files go as they are with their name's type", async () => {

@@ -3,6 +3,9 @@ import { fromDocument, unreachable, type Problem, type ProblemDocument } from ".
 
 const BASE = "/api/v1";
 
+/** Where a route is, for links that the browser follows by itself. */
+export const address = (path: string): string => BASE + path;
+
 export interface Options {
   body?: unknown;
   file?: Blob;

@@ -1,15 +1,17 @@
 // Every request the app makes, one line each.
-import { request } from "./client";
+import { address, request } from "./client";
 import type {
   Curve,
   Demonstration,
+  Flight,
+  FlightEvent,
   HandScript,
   Job,
   Model,
   Plan,
   PlanRequest,
   Reproduction,
-  ReproductionTrajectory,
+  RobotView,
   Session,
   Task,
   TaskAgreement,
@@ -29,6 +31,7 @@ export const deleteTask = (task: string) => request<null>("DELETE", `/tasks/${ta
 
 export interface NewDemonstration {
   id: string;
+  robot: string;
   virtual_hand?: HandScript;
   seed?: number;
 }
@@ -61,19 +64,29 @@ export const getCurve = (id: string, points: number) =>
 export const getJob = (id: string) => request<Job>("GET", `/jobs/${id}`);
 export const cancelJob = (id: string) => request<Job>("POST", `/jobs/${id}/cancel`);
 
-export const stopRobot = () => request<null>("POST", "/robot/stop", { keepalive: true });
-export const resetRobot = () => request<unknown>("POST", "/robot/reset");
-export const setLeadThrough = (active: boolean) =>
-  request<unknown>("POST", "/robot/lead-through", { body: { active } });
-export const returnVirtualHand = (script: HandScript, seed: number) =>
-  request<unknown>("POST", "/robot/virtual-hand", { body: { action: "return", script, seed } });
+export const listRobots = () => request<RobotView[]>("GET", "/robots");
+export const stopAllRobots = () => request<null>("POST", "/robots/stop", { keepalive: true });
+export const stopRobot = (robot: string) =>
+  request<null>("POST", `/robots/${robot}/stop`, { keepalive: true });
+export const resetRobot = (robot: string) => request<unknown>("POST", `/robots/${robot}/reset`);
+export const setLeadThrough = (robot: string, active: boolean) =>
+  request<unknown>("POST", `/robots/${robot}/lead-through`, { body: { active } });
+export const returnVirtualHand = (robot: string, script: HandScript, seed: number) =>
+  request<unknown>("POST", `/robots/${robot}/virtual-hand`, {
+    body: { action: "return", script, seed },
+  });
 /** `signal` is the name as it stands in an address. */
-export const setSignal = (signal: string, on: boolean) =>
-  request<unknown>("POST", `/robot/signals/${signal}`, { body: { on } });
+export const setSignal = (robot: string, signal: string, on: boolean) =>
+  request<unknown>("POST", `/robots/${robot}/signals/${signal}`, { body: { on } });
 
 export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", { body });
-export const startReproduction = (id: string, plan: string) =>
-  request<Reproduction>("POST", "/reproductions", { body: { id, plan } });
+export const startReproduction = (id: string, robot: string, plan: string) =>
+  request<Reproduction>("POST", "/reproductions", { body: { id, robot, plan } });
 export const getReproduction = (id: string) => request<Reproduction>("GET", `/reproductions/${id}`);
-export const getReproductionTrajectory = (id: string, points: number) =>
-  request<ReproductionTrajectory>("GET", `/reproductions/${id}/trajectory?max_points=${points}`);
+export const getFlight = (id: string, points: number) =>
+  request<Flight>("GET", `/reproductions/${id}/flight?points=${points}`);
+export const getFlightEvents = (id: string) =>
+  request<FlightEvent[]>("GET", `/reproductions/${id}/events`);
+/** For a link: the browser saves the file as it comes. */
+export const flightFile = (id: string, kind: "csv" | "mcap") =>
+  address(`/reproductions/${id}/flight.${kind}`);

@@ -6,7 +6,6 @@ export type Joints = number[];
 export interface Session {
   paired: boolean;
   pairing_required: boolean;
-  robot: "virtual" | "none";
   version: string;
 }
 
@@ -27,6 +26,7 @@ export interface Demonstration {
   take: number;
   state: DemonstrationState;
   source: "hand_guiding" | "virtual_hand" | "file";
+  robot?: string | null;
   created_at: string;
   duration_s: number;
   samples: number;
@@ -169,6 +169,7 @@ export type Placement = "as_taught" | "present" | { joints_deg: Joints };
 
 export interface PlanRequest {
   model_id: string;
+  robot?: string;
   start: Placement;
   goal: Placement;
   speed: number;
@@ -176,6 +177,7 @@ export interface PlanRequest {
 
 export interface Plan {
   plan: string;
+  robot: string;
   model_id: string;
   start_deg: Joints;
   goal_deg: Joints;
@@ -193,6 +195,7 @@ export interface Reproduction {
   id: string;
   task_id: string;
   model_id: string;
+  robot?: string | null;
   plan: string;
   state: "running" | "succeeded" | "stopped" | "failed";
   reason?: string | null;
@@ -203,15 +206,52 @@ export interface Reproduction {
   e_j_deg?: number | null;
   e_j_commanded_deg?: number | null;
   gmcc?: number | null;
-  tracking_error_deg?: { mean: number; max: number } | null;
+  tracking_error_deg?: TrackingError | null;
+  armed_at?: string | null;
+  cycles?: CycleCounts | null;
   duration_s: number;
 }
 
-export interface ReproductionTrajectory {
+/** How far the arm was from where it was asked to be. */
+export interface TrackingError {
+  mean: number;
+  max: number;
+  max_by_joint?: Joints | null;
+  rms_by_joint?: Joints | null;
+}
+
+export interface CycleCounts {
+  total: number;
+  lost: number;
+  late: number;
+  held: number;
+  limited: number;
+}
+
+/** A flight record, thinned out so that every extreme survives. */
+export interface Flight {
+  end_s: number;
   t_s: number[];
+  plan_t_s: number[];
+  phase: (string | null)[];
   commanded_deg: number[][];
+  commanded_min_deg: number[][];
+  commanded_max_deg: number[][];
   measured_deg: number[][];
+  measured_min_deg: number[][];
+  measured_max_deg: number[][];
+  error_max_deg: number[][];
+  lost: number[];
+  late: number[];
+  held: number[];
+  limited: number[];
   signals: RunSignalMark[];
+}
+
+export interface FlightEvent {
+  at_s: number;
+  code: string;
+  message: string;
 }
 
 export type RobotState =
@@ -229,10 +269,14 @@ export interface SignalAnswer {
 }
 
 export interface RobotView {
-  kind: "virtual" | "none";
+  id: string;
+  name: string;
+  kind: "virtual" | "gofa" | "none";
   state: RobotState;
   joints_deg?: Joints | null;
   age_ms: number;
+  /** The link on which the arm is controlled. */
+  egm: { connected: boolean; cycles: number; lost: number; late: number; real_time: boolean };
   lead_through?: boolean | null;
   hand?: "idle" | "returning" | "showing" | null;
   fault?: Failure | null;

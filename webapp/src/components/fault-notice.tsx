@@ -5,6 +5,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { resetRobot } from "../api/endpoints";
 import { useAction } from "../state/hooks";
 import { robot } from "../state/live";
+import { robotId } from "../state/robots";
 import { t } from "../texts";
 import { Button } from "./button";
 import { Icon } from "./icon";
@@ -14,7 +15,7 @@ export function FaultNotice() {
   const text = useComputed(() => JSON.stringify(robot.value?.fault ?? null));
   const faulted = useComputed(() => robot.value?.state === "faulted");
   const reset = useAction(async () => {
-    await resetRobot();
+    await resetRobot(robotId.peek());
   });
   const place = useRef<HTMLElement>(null);
   // Whatever is being read on the screen, a fault comes first.

@@ -19,6 +19,8 @@ const PATHS = {
   eye: "M2 12c5-8 15-8 20 0-5 8-15 8-20 0zm10-3a3 3 0 1 0 .01 0z",
   bin: "M4 7h16M9 7V4h6v3M6 7l1 14h10l1-14",
   upload: "M12 16V4m-5 5l5-5 5 5M4 20h16",
+  download: "M12 4v12m-5-5l5 5 5-5M4 20h16",
+  pause: "M7 5h3v14H7zM14 5h3v14h-3z",
   pencil: "M4 20l1-5L16 4l4 4L9 19z",
   dots: "M5 12h.01M12 12h.01M19 12h.01",
   again: "M20 12a8 8 0 1 1-2.5-5.8M20 3v5h-5",
@@ -29,7 +31,7 @@ const PATHS = {
 export type IconName = keyof typeof PATHS;
 
 /** Signs that are filled, because as outlines they would not be recognised. */
-const FILLED: ReadonlySet<IconName> = new Set(["stop", "record", "play"]);
+const FILLED: ReadonlySet<IconName> = new Set(["stop", "record", "play", "pause"]);
 
 export function Icon({ name }: { name: IconName }) {
   const filled = FILLED.has(name);

@@ -1,15 +1,16 @@
 // What is going on right now, as ways to its screen: for a phone that was reloaded or joins late.
 import { demonstrations, jobs, reproductions } from "../state/entities";
+import { isOurs } from "../state/robots";
 import { t } from "../texts";
 import { Icon } from "./icon";
 import { RowLink } from "./row-link";
 
 export function OpenWork() {
   const recording = demonstrations.where(
-    (take) => take.state === "preparing" || take.state === "recording",
+    (take) => isOurs(take) && (take.state === "preparing" || take.state === "recording"),
   );
   const training = jobs.where((job) => job.state === "queued" || job.state === "running");
-  const moving = reproductions.where((motion) => motion.state === "running");
+  const moving = reproductions.where((motion) => isOurs(motion) && motion.state === "running");
   return (
     <ul class="rows">
       {moving.map((motion) => (

@@ -11,9 +11,12 @@ let place: HTMLElement;
 const button = () => place.querySelector("button")!;
 
 const view = (is_on: boolean | null, state: RobotView["state"] = "guiding"): RobotView => ({
+  id: "virtual",
+  name: "Virtual",
   kind: "virtual",
   state,
   age_ms: 0,
+  egm: { connected: false, cycles: 0, lost: 0, late: 0, real_time: false },
   signals: [{ name: "Gripper/Close", label: "Gripper", on: "close", off: "open", is_on }],
 });
 
@@ -38,7 +41,7 @@ test("the button says how the gripper stands and does the opposite", async () =>
   expect(button().textContent).toBe("Gripper: close");
   button().click();
   await vi.waitFor(() => expect(fetch).toHaveBeenCalledOnce());
-  expect(fetch.mock.calls[0]![0]).toBe("/api/v1/robot/signals/Gripper%2FClose");
+  expect(fetch.mock.calls[0]![0]).toBe("/api/v1/robots/virtual/signals/Gripper%2FClose");
   expect(fetch.mock.calls[0]![1].body).toBe('{"on":true}');
 
   robot.value = view(true);

@@ -17,6 +17,7 @@ export function SignalButtons() {
       {view.signals.map((signal) => (
         <SignalButton
           key={signal.name}
+          robot={view.id}
           signal={signal}
           why={whyNot(signal, view, connection.value)}
         />
@@ -25,10 +26,16 @@ export function SignalButtons() {
   );
 }
 
-function SignalButton({ signal, why }: { signal: SignalAnswer; why: string | null }) {
+interface ButtonOf {
+  robot: string;
+  signal: SignalAnswer;
+  why: string | null;
+}
+
+function SignalButton({ robot: id, signal, why }: ButtonOf) {
   const on = !signal.is_on;
   const press = useAction(async () => {
-    await setSignal(encodeURIComponent(signal.name), on);
+    await setSignal(id, encodeURIComponent(signal.name), on);
   });
   return (
     <>

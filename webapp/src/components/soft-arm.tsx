@@ -6,6 +6,7 @@ import { handScript } from "../state/hand-script";
 import { useAction } from "../state/hooks";
 import { connection, isVirtual, robot, robotState } from "../state/live";
 import { whyNotReady } from "../state/robot-status";
+import { robotId } from "../state/robots";
 import { t } from "../texts";
 import { Button } from "./button";
 import { Notice, ProblemNotice } from "./notice";
@@ -15,10 +16,10 @@ export function SoftArm() {
   const why = useComputed(() => whyNotReady(robot.value, connection.value, true));
   const handBusy = useComputed(() => (robot.value?.hand ?? "idle") !== "idle");
   const toggle = useAction(async () => {
-    await setLeadThrough(!soft);
+    await setLeadThrough(robotId.peek(), !soft);
   });
   const bringBack = useAction(async () => {
-    await returnVirtualHand(handScript.peek(), newSeed());
+    await returnVirtualHand(robotId.peek(), handScript.peek(), newSeed());
   });
   const busy = soft ? t.robot.soft.turningOff : t.robot.soft.turningOn;
   return (

@@ -18,13 +18,13 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-test("stop goes out at the first touch, over HTTP when there is no live connection", async () => {
+test("stop goes out at the first touch, over HTTP when there is no live connection, and to every robot while none is chosen", async () => {
   const fetch = vi.fn().mockResolvedValue(new Response(null, { status: 204 }));
   vi.stubGlobal("fetch", fetch);
   render(<StopBar />, place);
   button().dispatchEvent(new Event("pointerdown", { bubbles: true }));
   expect(fetch).toHaveBeenCalledExactlyOnceWith(
-    "/api/v1/robot/stop",
+    "/api/v1/robots/stop",
     expect.objectContaining({ method: "POST", keepalive: true }),
   );
   await vi.waitFor(() => expect(words()).toBe(t.stop.sent));

@@ -82,6 +82,17 @@ test("a lost connection is tried again later and later, and needs a new snapshot
   expect(messages).toEqual(["snapshot"]);
 });
 
+test("a connection that was closed for good is not tried again", () => {
+  live.open();
+  FakeSocket.last.accept();
+  FakeSocket.last.say({ type: "snapshot" });
+  live.close();
+  expect(states.at(-1)).toBe("lost");
+  vi.advanceTimersByTime(60_000);
+  live.close();
+  expect(FakeSocket.all).toHaveLength(1);
+});
+
 test("silence is noticed", () => {
   live.open();
   FakeSocket.last.accept();

@@ -36,6 +36,12 @@ export class LiveSocket {
     this.expectMessage();
   }
 
+  /** Ends the connection for good. */
+  close(): void {
+    clearTimeout(this.retry);
+    if (this.current !== "lost") this.drop();
+  }
+
   /** Sends to the server if there is a connection; says whether it could. */
   send(message: object): boolean {
     if (this.socket?.readyState !== WebSocket.OPEN) return false;
@@ -63,6 +69,12 @@ export class LiveSocket {
 
   private lose(): void {
     if (this.current === "lost") return;
+    this.drop();
+    this.retry = setTimeout(() => this.open(), backOffMs(this.attempt));
+    this.attempt += 1;
+  }
+
+  private drop(): void {
     clearTimeout(this.silence);
     if (this.socket) {
       this.socket.onopen = this.socket.onmessage = this.socket.onclose = null;
@@ -70,8 +82,6 @@ export class LiveSocket {
       this.socket = null;
     }
     this.enter("lost");
-    this.retry = setTimeout(() => this.open(), backOffMs(this.attempt));
-    this.attempt += 1;
   }
 
   private enter(next: ConnectionState): void {

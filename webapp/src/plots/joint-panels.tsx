@@ -1,10 +1,12 @@
 // Six small plots, one for each joint: told apart by place and name, so colour carries nothing.
+import type { ReadonlySignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import { degrees } from "../format/numbers";
 import { t } from "../texts";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
+import { drawLine, useCursor } from "./cursor";
 import { NumbersTable } from "./numbers-table";
 import { paddedRange, sentence, summarise } from "./summary";
 
@@ -25,9 +27,11 @@ interface Props {
   markS?: number;
   /** Where signals are worked: vertical lines of their own. */
   signalsS?: number[];
+  /** A time that moves: a second line. */
+  cursor?: ReadonlySignal<number>;
 }
 
-export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS }: Props) {
+export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS, cursor }: Props) {
   const main = layers[0]?.joints ?? [];
   return (
     <figure class="panels">
@@ -35,7 +39,7 @@ export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS }:
       {layers.length > 1 && <Legend layers={layers} />}
       <div class="panel-grid" role="img" aria-label={sentence(title, timesS, main)}>
         {main.map((_, joint) => (
-          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, signalsS, joint }} />
+          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, signalsS, cursor, joint }} />
         ))}
       </div>
       <NumbersTable caption={title} joints={main} />
@@ -49,10 +53,11 @@ interface PanelProps {
   bandDeg: number[][] | undefined;
   markS: number | undefined;
   signalsS: number[] | undefined;
+  cursor: ReadonlySignal<number> | undefined;
   joint: number;
 }
 
-function Panel({ timesS, layers, bandDeg, markS, signalsS, joint }: PanelProps) {
+function Panel({ timesS, layers, bandDeg, markS, signalsS, cursor, joint }: PanelProps) {
   const band = bandDeg?.[joint];
   const data = useMemo<uPlot.AlignedData>(() => {
     const lines = layers.map((layer) => layer.joints[joint] ?? []);
@@ -62,7 +67,8 @@ function Panel({ timesS, layers, bandDeg, markS, signalsS, joint }: PanelProps) 
       : [];
     return [timesS, ...edges, ...lines];
   }, [timesS, layers, band, joint]);
-  const options = () => panelOptions(layers, band !== undefined, markS, signalsS);
+  const options = () => panelOptions(layers, band !== undefined, markS, signalsS, cursor);
+  const onReady = useCursor(cursor);
   const summary = summarise(layers[0]?.joints[joint] ?? []);
   return (
     <div class="panel">
@@ -70,7 +76,7 @@ function Panel({ timesS, layers, bandDeg, markS, signalsS, joint }: PanelProps) 
         <strong>{t.plot.short(joint + 1)}</strong>
         {summary && <span>{degrees(summary.highest - summary.lowest, 0)}</span>}
       </p>
-      <Chart options={options} data={data} height={120} />
+      <Chart options={options} data={data} height={120} onReady={onReady} />
     </div>
   );
 }
@@ -80,6 +86,7 @@ function panelOptions(
   banded: boolean,
   markS: number | undefined,
   signalsS: number[] = [],
+  cursor: ReadonlySignal<number> | undefined,
 ) {
   const edge: uPlot.Series = { stroke: "transparent", points: { show: false } };
   const lines = layers.map((layer) => ({
@@ -104,25 +111,13 @@ function panelOptions(
     ],
   };
   if (banded) options.bands = [{ series: [1, 2], fill: colour("plot-band") }];
-  const draw = [
-    ...(markS === undefined ? [] : [(plot: uPlot) => drawMark(plot, markS, [2, 4])]),
-    ...signalsS.map((atS) => (plot: uPlot) => drawMark(plot, atS, [])),
-  ];
-  options.hooks = { draw };
+  const drawLines = (plot: uPlot) => {
+    if (markS !== undefined) drawLine(plot, markS, colour("plot-axis"), [2, 4]);
+    signalsS.forEach((atS) => drawLine(plot, atS, colour("plot-axis"), []));
+    if (cursor) drawLine(plot, cursor.peek(), colour("text"), []);
+  };
+  options.hooks = { draw: [drawLines] };
   return options;
-}
-
-function drawMark(plot: uPlot, atS: number, dash: number[]): void {
-  const x = Math.round(plot.valToPos(atS, "x", true));
-  const { top, height } = plot.bbox;
-  plot.ctx.save();
-  plot.ctx.strokeStyle = colour("plot-axis");
-  plot.ctx.setLineDash(dash);
-  plot.ctx.beginPath();
-  plot.ctx.moveTo(x, top);
-  plot.ctx.lineTo(x, top + height);
-  plot.ctx.stroke();
-  plot.ctx.restore();
 }
 
 function Legend({ layers }: { layers: Layer[] }) {

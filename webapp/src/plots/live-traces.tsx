@@ -7,10 +7,10 @@ import { JointRing } from "../live/ring-buffer";
 import { t } from "../texts";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
+import { JOINT_DASHES, JointLegend } from "./joint-legend";
 
 const WINDOW_S = 10;
 const EMPTY: uPlot.AlignedData = new JointRing(1).window(0);
-const DASHES: number[][] = [[], [8, 4], [2, 3], [], [8, 4], [2, 3]];
 
 export function LiveTraces() {
   const plot = useRef<uPlot | null>(null);
@@ -36,14 +36,7 @@ export function LiveTraces() {
           onReady={(made) => (plot.current = made)}
         />
       </div>
-      <figcaption class="legend">
-        {DASHES.map((_, joint) => (
-          <span key={joint}>
-            <i class={`legend-line legend-joint-${joint + 1}`} aria-hidden="true" />
-            {t.plot.short(joint + 1)}
-          </span>
-        ))}
-      </figcaption>
+      <JointLegend />
     </figure>
   );
 }
@@ -56,7 +49,7 @@ function options(): Omit<uPlot.Options, "width" | "height"> {
     scales: { x: { time: false, range: () => [-WINDOW_S, 0] } },
     series: [
       {},
-      ...DASHES.map((dash, joint) => ({
+      ...JOINT_DASHES.map((dash, joint) => ({
         stroke: colour(`joint-${joint + 1}`),
         width: 2,
         dash,

@@ -1,11 +1,12 @@
 // What the live socket brings: the robot, and changes of everything else. Also the stop.
 import { computed, signal } from "@preact/signals";
 import type { LiveMessage, RobotView } from "../api/types";
-import { stopRobot } from "../api/endpoints";
+import { stopAllRobots, stopRobot } from "../api/endpoints";
 import type { ConnectionState } from "../live/connection";
 import { JointRing } from "../live/ring-buffer";
 import { LiveSocket } from "../live/socket";
 import { demonstrations, jobs, models, reproductions } from "./entities";
+import { robotId } from "./robots";
 
 export const connection = signal<ConnectionState>("lost");
 export const robot = signal<RobotView | null>(null);
@@ -22,14 +23,27 @@ export const robotState = computed(() => robot.value?.state ?? null);
 export const isVirtual = computed(() => robot.value?.kind === "virtual");
 
 let socket: LiveSocket | null = null;
+let watched = "";
+let ticking = false;
 
-export function startLive(): void {
+/** Follows this robot; nothing of another one is shown any more. */
+export function startLive(id: string): void {
+  if (socket !== null && watched !== id) {
+    socket.close();
+    socket = null;
+    robot.value = null;
+    recentJoints.clear();
+  }
   if (socket === null) {
     const scheme = location.protocol === "https:" ? "wss:" : "ws:";
-    socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live`, {
+    socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live?robot=${id}`, {
       state: (state) => (connection.value = state),
       message: receive,
     });
+    watched = id;
+  }
+  if (!ticking) {
+    ticking = true;
     setInterval(() => (nowMs.value = Date.now()), 250);
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "visible") socket?.open();
@@ -39,10 +53,12 @@ export function startLive(): void {
 }
 
 /** Stops the arm by both ways at once; either alone is enough. Settles well when the server has
- *  answered: what went into the socket may be lost without notice. */
+ *  answered: what went into the socket may be lost without notice. As long as it is not known
+ *  which arm is meant, all of them are stopped. */
 export async function stop(): Promise<void> {
   socket?.send({ type: "stop" });
-  await stopRobot();
+  const id = robotId.peek();
+  await (id === "" ? stopAllRobots() : stopRobot(id));
 }
 
 function receive(message: LiveMessage): void {

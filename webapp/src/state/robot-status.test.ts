@@ -3,15 +3,24 @@ import type { RobotView } from "../api/types";
 import { robotStatus, whyNotReady } from "./robot-status";
 
 const view = (state: RobotView["state"], ageMs = 20): RobotView => ({
+  id: "left",
+  name: "Left arm",
   kind: "virtual",
   state,
   age_ms: ageMs,
   signals: [],
+  egm: { connected: false, cycles: 0, lost: 0, late: 0, real_time: false },
 });
 
 test("fresh data is shown with its state", () => {
   const status = robotStatus(view("idle"), "live", 40);
   expect(status).toMatchObject({ word: "Ready", tone: "good", stale: false });
+});
+
+test("an arm that does not answer is told from a server without one", () => {
+  const silent = view("disconnected");
+  expect(robotStatus(silent, "live", 0).word).toBe("Not connected");
+  expect(robotStatus({ ...silent, kind: "none" }, "live", 0).word).toBe("No robot");
 });
 
 test("old joints are shown as old although the connection is alive", () => {

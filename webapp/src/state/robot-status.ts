@@ -33,7 +33,8 @@ export function robotStatus(
   sinceMessageMs: number,
 ): RobotStatus {
   const unknown = connection === "lost" ? t.robot.states.unknown : t.robot.connecting;
-  const word = view ? t.robot.states[view.state] : unknown;
+  const known = view?.kind === "none" ? "none" : view?.state;
+  const word = known ? t.robot.states[known] : unknown;
   if (view === null) {
     return { tone: "stale", icon: "clock", word, age: "", stale: true };
   }

@@ -4,6 +4,7 @@ import { makePlan } from "../api/endpoints";
 import type { Placement, Plan, PlanRequest } from "../api/types";
 import { readJoints } from "../format/joint-ranges";
 import { fixed } from "../format/numbers";
+import { robotId } from "./robots";
 
 export type GoalChoice = "as_taught" | "present" | "typed";
 export type StartChoice = "as_taught" | "present";
@@ -33,7 +34,9 @@ export function change(task: string, changed: Partial<RunSetup>): void {
 }
 
 export function planOf(task: string): Plan | undefined {
-  return plans.value.get(task);
+  const plan = plans.value.get(task);
+  // A plan is for one robot; the choices above are for any.
+  return plan?.robot === robotId.value ? plan : undefined;
 }
 
 /** The choices as a request; null while a typed number is missing or wrong. */
@@ -48,7 +51,7 @@ export function planRequest(model: string, setup: RunSetup): PlanRequest | null 
 export async function preview(task: string, model: string): Promise<void> {
   const request = planRequest(model, setupOf(task));
   if (request === null) return;
-  const plan = await makePlan(request);
+  const plan = await makePlan({ ...request, robot: robotId.peek() });
   plans.value = new Map(plans.peek()).set(task, plan);
 }
 

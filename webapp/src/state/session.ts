@@ -5,6 +5,7 @@ import { whenUnauthorised } from "../api/client";
 import type { Session } from "../api/types";
 import { pairingCode } from "../router";
 import { go } from "./navigation";
+import { loadRobots } from "./robots";
 
 export const session = signal<Session | null>(null);
 
@@ -13,7 +14,10 @@ export const mustPair = computed(
 );
 
 export async function loadSession(): Promise<void> {
-  session.value = await api.getSession();
+  const known = await api.getSession();
+  // Nothing is shown before it is known which robot it is about.
+  if (known.paired) await loadRobots();
+  session.value = known;
 }
 
 export async function pair(code: string): Promise<void> {

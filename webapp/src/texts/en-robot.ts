@@ -2,7 +2,8 @@
 export const robot = {
   bar: "Robot",
   states: {
-    disconnected: "No robot",
+    disconnected: "Not connected",
+    none: "No robot",
     idle: "Ready",
     guiding: "Arm is soft",
     reproducing: "Moving",

@@ -1,11 +1,15 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { flight } from "./en-flight";
 import { robot } from "./en-robot";
+import { robots } from "./en-robots";
 import { run } from "./en-run";
 import { signals } from "./en-signals";
 import { teach } from "./en-teach";
 
 export const en = {
+  flight,
   robot,
+  robots,
   run,
   signals,
   teach,

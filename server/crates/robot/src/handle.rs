@@ -14,6 +14,7 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Instant;
 use tokio::sync::{Notify, mpsc, oneshot, watch};
+use tracing::Instrument;
 
 /// Requests that may wait; each is answered within a moment or by a refusal.
 const REQUESTS: usize = 32;
@@ -59,7 +60,8 @@ impl Robot {
             view_in,
             requests.downgrade(),
         );
-        tokio::spawn(supervisor.serve(requests_out));
+        // What it logs belongs to the robot that is being started.
+        tokio::spawn(supervisor.serve(requests_out).in_current_span());
         Ok(Self {
             kind,
             egm_addr,

@@ -17,6 +17,7 @@ mod control_thread;
 mod ending;
 mod error;
 mod flight;
+mod follow;
 mod guidance;
 mod handle;
 mod links;

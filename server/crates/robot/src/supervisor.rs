@@ -11,6 +11,7 @@ mod signals;
 
 use crate::config::{RobotConfig, RobotKind};
 use crate::error::{Fault, RobotError};
+use crate::follow::follow;
 use crate::guidance::{GuidanceEvent, GuidanceStream, HandActivity, HandCommand};
 use crate::links::SupervisorLinks;
 use crate::poll::{self, Observation, Pace};
@@ -213,13 +214,17 @@ impl Supervisor {
             poller.abort();
         }
         let has_virtual_hand = self.config.kind == RobotKind::Virtual;
-        self.poller = Some(tokio::spawn(poll::poll(
+        let follow = follow(client.clone(), self.signals.names(), news.clone());
+        let poll = poll::poll(
             client.clone(),
             has_virtual_hand,
             self.signals.names(),
             self.pace.subscribe(),
             news.clone(),
-        )));
+        );
+        self.poller = Some(tokio::spawn(async move {
+            tokio::join!(poll, follow);
+        }));
         self.client = Some(client);
         Ok(())
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use futures_util::SinkExt;
-use robot::{RobotState, RobotView};
+use robot::{HandScript, RobotState, RobotView};
 use tokio::time::timeout;
 use tokio_tungstenite::connect_async;
 use tokio_tungstenite::tungstenite::Message;
@@ -21,6 +21,7 @@ use crate::arms::Arm;
 use crate::config::{Config, RobotChoice};
 use crate::ids::TaskId;
 use crate::plans::KnownPlan;
+use crate::recording::{HandShowing, RecordingError, RecordingRequest};
 use crate::reproducing::{ReproducingError, StartRequest};
 use crate::store::demonstrations::DemonstrationState;
 use crate::store::reproductions::ReproductionState;
@@ -244,6 +245,16 @@ async fn a_gofa_that_does_not_answer_keeps_nothing_from_starting_and_is_found_la
     controller.rws_listen = rws;
     let controller = VirtualController::start(controller).await.unwrap();
     state_of(real, RobotState::Idle).await;
+    let by_itself = RecordingRequest {
+        hand: Some(HandShowing {
+            script: HandScript::F1,
+            seed: 1,
+        }),
+        ..by_hand(task)
+    };
+    let refused = real.recorder.start(by_itself).await;
+    assert!(matches!(refused, Err(RecordingError::NoVirtualHand)));
+    assert_eq!(real.robot.view().borrow().state, RobotState::Idle);
     let model = trained(&app, task).await;
     let plan = plan_for(&app, real, task, model).await;
     let begun = real.reproducer.start(start_of(&plan, None)).await.unwrap();

@@ -1,48 +1,18 @@
 // What the arm really did: in a sentence, in figures from its feedback, and drawn over the plan.
-import { useSignal } from "@preact/signals";
-import { useMemo } from "preact/hooks";
-import { getReproductionTrajectory } from "../../api/endpoints";
-import type { Reproduction, ReproductionTrajectory } from "../../api/types";
+import type { Reproduction } from "../../api/types";
 import { Figures } from "../../components/figures";
-import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
-import { SignalTimes } from "../../components/signal-times";
+import { Notice, ProblemNotice } from "../../components/notice";
 import { errorDegrees, duration, fixed } from "../../format/numbers";
-import { JointPanels, type Layer } from "../../plots/joint-panels";
-import { useLoad } from "../../state/hooks";
 import { t } from "../../texts";
+import { FlightRecord } from "./flight";
 
 export function MotionResult({ motion }: { motion: Reproduction }) {
-  const trajectory = useSignal<ReproductionTrajectory | null>(null);
-  const load = useLoad(async () => {
-    trajectory.value = await getReproductionTrajectory(motion.id, 400);
-  }, motion.id);
-  const shown = trajectory.value;
-  const layers = useMemo<Layer[]>(
-    () =>
-      shown
-        ? [
-            { label: t.run.measured, joints: shown.measured_deg, look: "strong" },
-            { label: t.run.planned, joints: shown.commanded_deg, look: "dashed" },
-          ]
-        : [],
-    [shown],
-  );
   return (
     <>
       <Verdict motion={motion} />
       <MotionFigures motion={motion} />
-      <LoadNotice load={load} empty={shown === null} />
-      {shown && shown.t_s.length > 0 && (
-        <>
-          <JointPanels
-            title={t.run.measuredPlot}
-            timesS={shown.t_s}
-            layers={layers}
-            signalsS={shown.signals.map((signal) => signal.at_s)}
-          />
-          <SignalTimes title={t.signals.done} marks={shown.signals} />
-        </>
-      )}
+      <ByJoint motion={motion} />
+      <FlightRecord motion={motion} />
     </>
   );
 }
@@ -70,6 +40,7 @@ function Verdict({ motion }: { motion: Reproduction }) {
 function MotionFigures({ motion }: { motion: Reproduction }) {
   const names = t.run.figures;
   const tracking = motion.tracking_error_deg;
+  const counts = motion.cycles;
   return (
     <Figures
       list={[
@@ -79,9 +50,49 @@ function MotionFigures({ motion }: { motion: Reproduction }) {
         [names.trackingMax, show(tracking?.max, (value) => errorDegrees(value, 2))],
         [names.e_jCommanded, show(motion.e_j_commanded_deg, (value) => errorDegrees(value, 3))],
         [names.duration, duration(motion.duration_s)],
+        [t.flight.counts.cycles, counts ? String(counts.total) : null],
+        [t.flight.counts.lost, counts ? String(counts.lost) : null],
+        [t.flight.counts.late, counts ? String(counts.late) : null],
+        [t.flight.counts.held, unusual(counts?.held)],
+        [t.flight.counts.limited, unusual(counts?.limited)],
       ]}
     />
   );
+}
+
+function ByJoint({ motion }: { motion: Reproduction }) {
+  const { max_by_joint: most, rms_by_joint: rms } = motion.tracking_error_deg ?? {};
+  if (!most || !rms) return null;
+  return (
+    <details class="numbers">
+      <summary>{t.flight.byJoint}</summary>
+      <table aria-label={t.flight.byJoint}>
+        <thead>
+          <tr>
+            <td />
+            <th scope="col">{t.flight.most}</th>
+            <th scope="col">{t.flight.rms}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {most.map((worst, joint) => (
+            <tr key={joint}>
+              <th scope="row" aria-label={t.plot.joint(joint + 1)}>
+                {t.plot.short(joint + 1)}
+              </th>
+              <td>{errorDegrees(worst, 2)}</td>
+              <td>{errorDegrees(rms[joint] ?? 0, 3)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </details>
+  );
+}
+
+/** Cycles that are as they should be are not worth a line. */
+function unusual(count: number | undefined): string | null {
+  return count ? String(count) : null;
 }
 
 function show(value: number | null | undefined, words: (value: number) => string): string | null {

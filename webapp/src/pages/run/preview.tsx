@@ -16,6 +16,7 @@ import { useAction } from "../../state/hooks";
 import { connection, robot } from "../../state/live";
 import { go } from "../../state/navigation";
 import { whyNotReady } from "../../state/robot-status";
+import { robotId } from "../../state/robots";
 import { planOf, preview } from "../../state/run-setup";
 import { t } from "../../texts";
 
@@ -36,7 +37,7 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
   const id = useMemo(() => newId(), [plan]);
   const why = useComputed(() => whyNotReady(robot.value, connection.value));
   const start = useAction(async () => {
-    const reproduction = await startReproduction(id, plan.plan);
+    const reproduction = await startReproduction(id, robotId.peek(), plan.plan);
     reproductions.put(reproduction);
     go({ page: "motion", task, motion: reproduction.id }, true);
   });

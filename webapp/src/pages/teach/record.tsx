@@ -15,6 +15,7 @@ import { useAction } from "../../state/hooks";
 import { connection, isVirtual, robot, robotState } from "../../state/live";
 import { go } from "../../state/navigation";
 import { whyNotReady } from "../../state/robot-status";
+import { robotId } from "../../state/robots";
 import { t } from "../../texts";
 
 const COUNT_FROM = 3;
@@ -25,8 +26,8 @@ export function RecordPage({ task }: { task: string }) {
   // One id for all trials of one recording: pressing again on bad Wi-Fi begins it once.
   const id = useMemo(() => newId(), []);
   const record = useAction(async () => {
-    if (robotState.peek() === "guiding") await setLeadThrough(false);
-    const body: NewDemonstration = { id };
+    if (robotState.peek() === "guiding") await setLeadThrough(robotId.peek(), false);
+    const body: NewDemonstration = { id, robot: robotId.peek() };
     if (isVirtual.peek()) Object.assign(body, { virtual_hand: handScript.peek(), seed: newSeed() });
     const take = await startDemonstration(task, body);
     demonstrations.put(take);

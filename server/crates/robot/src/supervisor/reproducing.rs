@@ -77,6 +77,11 @@ impl RunSlot {
         (Arc::clone(&self.plan), &mut self.signals)
     }
 
+    /// Something that happened goes on the flight record's time line.
+    pub(super) fn note(&mut self, code: &'static str, message: String) {
+        self.flight.event(code, message);
+    }
+
     /// What the supervisor knows goes on the flight record's time line.
     fn record(&mut self, seen: &Seen, epoch: Instant, is_stopped: bool) {
         if let Some(run) = seen.control().run.filter(|run| run.run == self.id) {

@@ -181,7 +181,13 @@ impl Supervisor {
                     late_ms = 1000.0 * done.set.late_s,
                     "a signal of the motion is set"
                 );
+                let words = format!(
+                    "Signal {} was set to {}.",
+                    done.set.name,
+                    u8::from(done.set.on)
+                );
                 signals.set.push(done.set);
+                slot.note("signal_set", words);
             }
             Err(error) => {
                 tracing::error!(signal = done.set.name, %error, "a signal of the motion is not set");

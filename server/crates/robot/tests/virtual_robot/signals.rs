@@ -102,6 +102,13 @@ async fn while_guiding_what_is_set_and_what_the_cell_changes_is_told_in_time() {
     assert_eq!((name.as_str(), on), (GRIPPER, false));
     assert!(later_us > at_us);
     gripper_is(&mut cell, false).await;
+
+    // A press that is shorter than any poll.
+    cell.controller.faults().wire_signal(GRIPPER, true);
+    cell.controller.faults().wire_signal(GRIPPER, false);
+    let pressed = next_signal(&mut events).await.1;
+    let released = next_signal(&mut events).await.1;
+    assert_eq!((pressed, released), (true, false));
     cell.end().await;
 }
 
@@ -126,7 +133,17 @@ async fn a_plan_sets_its_signals_when_it_comes_to_them() {
     gripper_is(&mut cell, true).await;
     let outcome = outcome(run).await;
     assert_eq!(outcome.end, RunEnd::Completed);
+    let noted = outcome
+        .events
+        .iter()
+        .filter(|event| event.code == "signal_set");
+    assert_eq!(noted.count(), 3);
     let set: Vec<(f64, bool)> = outcome.signals.iter().map(|s| (s.at_s, s.on)).collect();
+    let noted = outcome
+        .events
+        .iter()
+        .filter(|event| event.code == "signal_set");
+    assert_eq!(noted.count(), set.len(), "{:?}", outcome.events);
     assert_eq!(
         set,
         [(0.0, false), (1.0, true), (2.0, false)],
