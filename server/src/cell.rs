@@ -129,7 +129,11 @@ pub fn robots(config: &Config) -> Result<Vec<RobotSettings>, CellError> {
     }
 }
 
-fn read(file: &Path) -> Result<Vec<RobotSettings>, CellError> {
+/// The robots that a configuration file names.
+///
+/// # Errors
+/// When the file can't be read or something in it is wrong.
+pub fn read(file: &Path) -> Result<Vec<RobotSettings>, CellError> {
     let text = std::fs::read_to_string(file).map_err(|source| CellError::Unreadable {
         file: file.to_owned(),
         source,
@@ -166,6 +170,9 @@ impl RobotSettings {
         config.limits = self.limits.clone();
         if let Some(controller) = &self.controller {
             config.rws_url = Some(controller.rws_url.clone());
+            config
+                .rws_certificate_sha256
+                .clone_from(&controller.certificate_sha256);
             if let Some(account) = &controller.account {
                 config.rws_user.clone_from(&account.user);
                 config.rws_password.clone_from(&account.password.0);

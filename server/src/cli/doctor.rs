@@ -19,6 +19,7 @@ use std::time::Duration;
 use rws::Client;
 
 use super::CliError;
+use crate::cell::{self, RobotSettings};
 use report::{Report, Step};
 
 /// The task that moves the arm.
@@ -35,8 +36,15 @@ const ANSWER_WITHIN: Duration = Duration::from_secs(5);
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// Address of the controller's web services, such as https://192.168.125.1.
-    #[arg(long, value_name = "URL")]
-    pub rws: String,
+    #[arg(long, value_name = "URL", required_unless_present = "config")]
+    pub rws: Option<String>,
+    /// The cell's configuration file; takes the place of the address, the account, the certificate
+    /// and --egm.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["rws", "user", "password_file", "certificate", "egm"])]
+    pub config: Option<PathBuf>,
+    /// Which robot of the file; needed when it has several.
+    #[arg(long, value_name = "ID", requires = "config")]
+    pub robot: Option<String>,
     /// The controller's account for TEAM.
     #[arg(long, default_value = "Default User")]
     pub user: String,
@@ -72,19 +80,32 @@ fn seconds(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a number of seconds from 0.1 to 600".to_owned())
 }
 
+/// What is looked at, and how.
+#[derive(Clone)]
+struct Target {
+    rws: String,
+    user: String,
+    password: String,
+    certificate: Option<String>,
+    egm: Option<SocketAddr>,
+    egm_wait: f64,
+    signals: Vec<String>,
+    move_arm: bool,
+}
+
 /// Examines, prints what was seen, and fails when something is not as it should be.
 pub fn run(arguments: &Args) -> Result<(), CliError> {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()
         .map_err(|error| CliError::Usage(format!("the system refused: {error}")))?;
-    let password = password(arguments)?;
+    let target = target(arguments)?;
     let report = runtime.block_on(async {
         tokio::select! {
-            report = examine(arguments, &password) => Ok(report),
+            report = examine(&target) => Ok(report),
             _ = tokio::signal::ctrl_c() => {
-                if arguments.move_arm {
-                    reach::make_safe(arguments, &password).await;
+                if target.move_arm {
+                    reach::make_safe(&target).await;
                 }
                 Err(CliError::Usage("interrupted".to_owned()))
             }
@@ -106,32 +127,76 @@ pub fn run(arguments: &Args) -> Result<(), CliError> {
     }
 }
 
-fn password(arguments: &Args) -> Result<String, CliError> {
+fn password(arguments: &Args) -> Result<Option<String>, CliError> {
     match &arguments.password_file {
-        None => Ok(rws::Config::new("").password),
+        None => Ok(None),
         Some(file) => {
             let text = std::fs::read_to_string(file).map_err(CliError::file(file))?;
-            Ok(text.lines().next().unwrap_or_default().to_owned())
+            Ok(Some(text.lines().next().unwrap_or_default().to_owned()))
         }
     }
 }
 
-async fn examine(arguments: &Args, password: &str) -> Report {
+fn target(arguments: &Args) -> Result<Target, CliError> {
+    let factory = rws::Config::new("");
+    let mut target = Target {
+        rws: arguments.rws.clone().unwrap_or_default(),
+        user: arguments.user.clone(),
+        password: factory.password,
+        certificate: arguments.certificate.clone(),
+        egm: arguments.egm,
+        egm_wait: arguments.egm_wait,
+        signals: arguments.signals.clone(),
+        move_arm: arguments.move_arm,
+    };
+    if let Some(file) = &arguments.config {
+        let robots = cell::read(file).map_err(|error| CliError::Usage(error.to_string()))?;
+        let robot = chosen(&robots, arguments.robot.as_deref())?.robot_config();
+        let virtual_one = "a virtual robot has no controller to look at; choose a real one";
+        target.rws = robot
+            .rws_url
+            .ok_or_else(|| CliError::Usage(virtual_one.to_owned()))?;
+        target.user = robot.rws_user;
+        target.password = robot.rws_password;
+        target.certificate = robot.rws_certificate_sha256;
+        target.egm = Some(robot.egm_listen);
+    } else {
+        target.password = password(arguments)?.unwrap_or(target.password);
+    }
+    Ok(target)
+}
+
+fn chosen<'a>(
+    robots: &'a [RobotSettings],
+    id: Option<&str>,
+) -> Result<&'a RobotSettings, CliError> {
+    let found = match (robots, id) {
+        ([only], None) => Some(only),
+        (_, None) => None,
+        (_, Some(id)) => robots.iter().find(|robot| robot.id == id),
+    };
+    found.ok_or_else(|| {
+        let ids: Vec<&str> = robots.iter().map(|robot| robot.id.as_str()).collect();
+        CliError::Usage(format!("choose one with --robot: {}", ids.join(", ")))
+    })
+}
+
+async fn examine(target: &Target) -> Report {
     let mut report = Report::default();
-    if let Err(why) = every_link(arguments, password, &mut report).await {
+    if let Err(why) = every_link(target, &mut report).await {
         report.skip_the_rest(&why);
     }
     report
 }
 
 /// Looks at one link after the other; an error says why the remaining ones mean nothing.
-async fn every_link(arguments: &Args, password: &str, report: &mut Report) -> Result<(), String> {
-    reach::address(arguments, report).await?;
-    reach::certificate(arguments, report).await?;
-    let client = reach::log_in(arguments, password, report).await?;
-    controller::look(&client, arguments, report).await;
-    match arguments.egm {
-        Some(listen) => guidance::look(&client, listen, arguments, report).await,
+async fn every_link(target: &Target, report: &mut Report) -> Result<(), String> {
+    reach::address(target, report).await?;
+    reach::certificate(target, report).await?;
+    let client = reach::log_in(target, report).await?;
+    controller::look(&client, target, report).await;
+    match target.egm {
+        Some(listen) => guidance::look(&client, listen, target, report).await,
         None => {
             for step in [Step::EgmPort, Step::EgmMessages, Step::EgmAnswers] {
                 report.skipped(step, "no address was given with --egm");
@@ -143,12 +208,12 @@ async fn every_link(arguments: &Args, password: &str, report: &mut Report) -> Re
     Ok(())
 }
 
-fn client(arguments: &Args, password: &str) -> Result<Client, rws::RwsError> {
+fn client(target: &Target) -> Result<Client, rws::RwsError> {
     Client::new(rws::Config {
-        user: arguments.user.clone(),
-        password: password.to_owned(),
-        certificate_sha256: arguments.certificate.clone(),
+        user: target.user.clone(),
+        password: target.password.clone(),
+        certificate_sha256: target.certificate.clone(),
         timeout: ANSWER_WITHIN,
-        ..rws::Config::new(&arguments.rws)
+        ..rws::Config::new(&target.rws)
     })
 }

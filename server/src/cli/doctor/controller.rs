@@ -5,7 +5,7 @@ use jiff::tz::TimeZone;
 use rws::{Client, ControllerState, Execution, OperatingMode, RwsError};
 
 use super::report::{Report, Step};
-use super::{Args, MODULES, TASK};
+use super::{MODULES, TASK, Target};
 use crate::clock::{Clock, SystemClock};
 
 /// ABB's number of the option, and its name.
@@ -16,7 +16,7 @@ const QUARTER_HOUR_S: f64 = 900.0;
 const WIDEST_ZONE_S: f64 = 14.0 * 3600.0;
 
 /// Looks at everything; none of it depends on the others.
-pub async fn look(client: &Client, arguments: &Args, report: &mut Report) {
+pub async fn look(client: &Client, target: &Target, report: &mut Report) {
     robotware(client, report).await;
     options(client, report).await;
     rights(client, report).await;
@@ -25,8 +25,8 @@ pub async fn look(client: &Client, arguments: &Args, report: &mut Report) {
     program(client, report).await;
     position(client, report).await;
     let ready = report.all_ok(&[Step::Mode, Step::Motors]);
-    lead_through(client, arguments.move_arm.then_some(ready), report).await;
-    signals(client, &arguments.signals, report).await;
+    lead_through(client, target.move_arm.then_some(ready), report).await;
+    signals(client, &target.signals, report).await;
     clock(client, report).await;
 }
 

@@ -10,7 +10,7 @@ use std::time::Duration;
 use rws::{Client, Cycle, Execution, RwsError};
 use tokio::net::UdpSocket;
 
-use super::Args;
+use super::Target;
 use super::report::{Report, Step};
 use listening::{Heard, listen};
 
@@ -28,7 +28,7 @@ const NEEDED: [Step; 4] = [Step::Rights, Step::Mode, Step::Motors, Step::Program
 const STILL_DEG: f64 = 0.5;
 
 /// Listens, with `--move-arm` while the robot program runs.
-pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, report: &mut Report) {
+pub async fn look(client: &Client, listen_at: SocketAddr, target: &Target, report: &mut Report) {
     let socket = match UdpSocket::bind(listen_at).await {
         Ok(socket) => socket,
         Err(error) => {
@@ -46,7 +46,7 @@ pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, repo
     report.ok(Step::EgmPort, listen_at.to_string());
     let before = client.execution().await;
     // A program that runs is somebody's; it is listened to, and goes on.
-    let ours = arguments.move_arm && matches!(before, Ok(Execution::Stopped));
+    let ours = target.move_arm && matches!(before, Ok(Execution::Stopped));
     if ours && !report.all_ok(&NEEDED) {
         for step in [Step::EgmMessages, Step::EgmAnswers] {
             report.skipped(step, "the robot program is not started before the mode, the motors, the rights and the modules are in order");
@@ -58,7 +58,7 @@ pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, repo
         false => Ok(()),
     };
     let heard = match started {
-        Ok(()) => listen(&socket, Duration::from_secs_f64(arguments.egm_wait)).await,
+        Ok(()) => listen(&socket, Duration::from_secs_f64(target.egm_wait)).await,
         Err(_) => Heard::default(),
     };
     let complaint = complaint(client).await;
@@ -74,7 +74,7 @@ pub async fn look(client: &Client, listen_at: SocketAddr, arguments: &Args, repo
         return;
     }
     let stands = matches!(running, Ok(Execution::Stopped));
-    messages(&heard, stands, complaint.as_deref(), arguments, report);
+    messages(&heard, stands, complaint.as_deref(), target, report);
     answers(&heard, complaint.as_deref(), report);
 }
 
@@ -106,7 +106,7 @@ fn messages(
     heard: &Heard,
     program_stands: bool,
     complaint: Option<&str>,
-    arguments: &Args,
+    target: &Target,
     report: &mut Report,
 ) {
     let complaint = complaint.unwrap_or_default();
@@ -118,7 +118,7 @@ fn messages(
         };
         report.failed(
             Step::EgmMessages,
-            format!("none in {} s{complaint}", arguments.egm_wait),
+            format!("none in {} s{complaint}", target.egm_wait),
             format!("{stands}check the Remote Address and Remote Port Number of the controller's UDPUC device against --egm, restart the controller after changing them, and let UDP through this computer's firewall."),
         );
         return;

@@ -5,15 +5,15 @@ use tokio::net::TcpStream;
 use tokio::time::timeout;
 
 use super::report::{Report, Step};
-use super::{ANSWER_WITHIN, Args, client};
+use super::{ANSWER_WITHIN, Target, client};
 
 /// Connects, and sends nothing.
-pub async fn address(arguments: &Args, report: &mut Report) -> Result<(), String> {
+pub async fn address(target: &Target, report: &mut Report) -> Result<(), String> {
     const WHY: &str = "the controller cannot be reached";
-    let Some(authority) = authority(&arguments.rws) else {
+    let Some(authority) = authority(&target.rws) else {
         report.failed(
             Step::Address,
-            format!("\"{}\" is no address", arguments.rws),
+            format!("\"{}\" is no address", target.rws),
             "Write it as https://192.168.125.1.",
         );
         return Err(WHY.to_owned());
@@ -52,10 +52,10 @@ fn authority(url: &str) -> Option<String> {
 }
 
 /// Looks at the certificate before anything is sent to whoever shows it.
-pub async fn certificate(arguments: &Args, report: &mut Report) -> Result<(), String> {
+pub async fn certificate(target: &Target, report: &mut Report) -> Result<(), String> {
     const WHY: &str = "the password must not go to somebody unknown";
-    if !arguments.rws.starts_with("https:") {
-        let error = client(arguments, "").err();
+    if !target.rws.starts_with("https:") {
+        let error = client(target).err();
         if let Some(error) = error {
             report.refused(Step::Certificate, &error);
             return Err(WHY.to_owned());
@@ -66,7 +66,7 @@ pub async fn certificate(arguments: &Args, report: &mut Report) -> Result<(), St
         );
         return Ok(());
     }
-    let seen = match rws::read_fingerprint(&arguments.rws, ANSWER_WITHIN).await {
+    let seen = match rws::read_fingerprint(&target.rws, ANSWER_WITHIN).await {
         Ok(seen) => seen,
         Err(error) => {
             report.failed(
@@ -77,7 +77,7 @@ pub async fn certificate(arguments: &Args, report: &mut Report) -> Result<(), St
             return Err(WHY.to_owned());
         }
     };
-    let pinned = match &arguments.certificate {
+    let pinned = match &target.certificate {
         None => None,
         Some(text) => match text.parse::<rws::Fingerprint>() {
             Ok(pinned) => Some(pinned),
@@ -97,12 +97,12 @@ pub async fn certificate(arguments: &Args, report: &mut Report) -> Result<(), St
             return Ok(());
         }
         Some(pinned) => RwsError::WrongCertificate {
-            url: arguments.rws.clone(),
+            url: target.rws.clone(),
             seen,
             pinned,
         },
         // Some companies sign their controllers' certificates; then the system knows them.
-        None => match anonymous_request(arguments).await {
+        None => match anonymous_request(target).await {
             Ok(()) => {
                 report.ok(
                     Step::Certificate,
@@ -118,37 +118,34 @@ pub async fn certificate(arguments: &Args, report: &mut Report) -> Result<(), St
 }
 
 /// Asks without a password, so that only the certificate decides.
-async fn anonymous_request(arguments: &Args) -> Result<(), RwsError> {
-    let nobody = Args {
+async fn anonymous_request(target: &Target) -> Result<(), RwsError> {
+    let nobody = Target {
         user: String::new(),
-        ..arguments.clone()
+        password: String::new(),
+        ..target.clone()
     };
-    match client(&nobody, "")?.controller_state().await {
+    match client(&nobody)?.controller_state().await {
         Ok(_) | Err(RwsError::Unauthorized { .. }) => Ok(()),
         Err(error) => Err(error),
     }
 }
 
 /// Opens the session that everything else uses.
-pub async fn log_in(
-    arguments: &Args,
-    password: &str,
-    report: &mut Report,
-) -> Result<Client, String> {
+pub async fn log_in(target: &Target, report: &mut Report) -> Result<Client, String> {
     let opened = async {
-        let client = client(arguments, password)?;
+        let client = client(target)?;
         client.controller_state().await.map(|_| client)
     };
     match opened.await {
         Ok(client) => {
-            report.ok(Step::LogIn, format!("as \"{}\"", arguments.user));
+            report.ok(Step::LogIn, format!("as \"{}\"", target.user));
             Ok(client)
         }
         Err(error @ RwsError::Unauthorized { .. }) => {
             report.failed(
                 Step::LogIn,
                 error.to_string(),
-                "Check --user and the file after --password-file, and in the controller's user settings that this account exists and may use Robot Web Services.",
+                "Check the account (--user and --password-file, or the cell's file), and in the controller's user settings that this account exists and may use Robot Web Services.",
             );
             Err("the controller does not let us in".to_owned())
         }
@@ -160,8 +157,8 @@ pub async fn log_in(
 }
 
 /// After an interruption in the middle of `--move-arm`: the arm stiff, the program stopped.
-pub async fn make_safe(arguments: &Args, password: &str) {
-    let Ok(client) = client(arguments, password) else {
+pub async fn make_safe(target: &Target) {
+    let Ok(client) = client(target) else {
         return;
     };
     // Each is tried, whatever became of the one before.

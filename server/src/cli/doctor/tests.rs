@@ -13,7 +13,7 @@ const OTHER: &str = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20
 
 struct Cell {
     controller: VirtualController,
-    arguments: Args,
+    target: Target,
 }
 
 /// A controller with HTTPS and a port for its EGM messages, on which nobody listens yet.
@@ -25,30 +25,26 @@ async fn cell(change: impl FnOnce(&mut Config)) -> Cell {
     config.rws_https = true;
     change(&mut config);
     let controller = VirtualController::start(config).await.unwrap();
-    let arguments = Args {
+    let target = Target {
         rws: controller.rws_url(),
         user: "Default User".to_owned(),
-        password_file: None,
+        password: "robotics".to_owned(),
         certificate: controller.certificate_sha256().map(str::to_owned),
         egm: Some(egm_at),
         egm_wait: 20.0,
         signals: SIGNALS.map(str::to_owned).to_vec(),
         move_arm: false,
-        json: false,
     };
-    Cell {
-        controller,
-        arguments,
-    }
+    Cell { controller, target }
 }
 
 impl Cell {
     async fn examine(&self) -> Report {
-        examine(&self.arguments, "robotics").await
+        examine(&self.target).await
     }
 
     fn client(&self) -> Client {
-        client(&self.arguments, "robotics").unwrap()
+        client(&self.target).unwrap()
     }
 }
 
@@ -116,7 +112,7 @@ async fn a_healthy_cell_passes_and_is_left_as_it_was() {
 #[tokio::test]
 async fn when_it_may_it_tries_lead_through_and_the_program_and_leaves_the_arm_at_rest() {
     let mut cell = cell(|_| {}).await;
-    cell.arguments.move_arm = true;
+    cell.target.move_arm = true;
     let client = cell.client();
     let before = client.joint_target_deg().await.unwrap();
     let report = cell.examine().await;
@@ -145,7 +141,7 @@ async fn when_it_may_it_tries_lead_through_and_the_program_and_leaves_the_arm_at
 #[tokio::test]
 async fn the_arm_is_left_alone_while_a_stop_is_active_even_when_it_may_be_moved() {
     let mut cell = cell(|_| {}).await;
-    cell.arguments.move_arm = true;
+    cell.target.move_arm = true;
     cell.controller.faults().guard_stop(true);
     let report = cell.examine().await;
     assert_failed(&report, &[Step::Motors]);
@@ -166,7 +162,7 @@ async fn the_arm_is_left_alone_while_a_stop_is_active_even_when_it_may_be_moved(
 #[tokio::test]
 async fn without_messages_it_says_that_the_program_stands_and_what_to_check() {
     let mut cell = cell(|_| {}).await;
-    cell.arguments.egm_wait = 0.2;
+    cell.target.egm_wait = 0.2;
     let report = cell.examine().await;
     assert_failed(&report, &[Step::EgmMessages]);
     let advice = finding(&report, Step::EgmMessages).advice.clone().unwrap();
@@ -180,8 +176,9 @@ async fn without_messages_it_says_that_the_program_stands_and_what_to_check() {
 
 #[tokio::test]
 async fn a_wrong_password_stops_it_with_words_about_the_account() {
-    let cell = cell(|_| {}).await;
-    let report = examine(&cell.arguments, "wrong").await;
+    let mut cell = cell(|_| {}).await;
+    cell.target.password = "wrong".to_owned();
+    let report = examine(&cell.target).await;
     assert_stopped_at(&report, Step::LogIn);
     let login = finding(&report, Step::LogIn);
     assert!(login.saw.contains("Default User"), "{login:?}");
@@ -196,17 +193,13 @@ async fn a_wrong_password_stops_it_with_words_about_the_account() {
 #[tokio::test]
 async fn a_wrong_certificate_stops_it_before_the_password_is_sent() {
     let mut cell = cell(|_| {}).await;
-    let right = cell
-        .arguments
-        .certificate
-        .replace(OTHER.to_owned())
-        .unwrap();
+    let right = cell.target.certificate.replace(OTHER.to_owned()).unwrap();
     let report = cell.examine().await;
     assert_stopped_at(&report, Step::Certificate);
     let saw = &finding(&report, Step::Certificate).saw;
     assert!(saw.contains(&right) && saw.contains("BA:78:16:BF"), "{saw}");
 
-    cell.arguments.certificate = None;
+    cell.target.certificate = None;
     let report = cell.examine().await;
     assert_stopped_at(&report, Step::Certificate);
     assert!(finding(&report, Step::Certificate).saw.contains(&right));
@@ -234,9 +227,9 @@ async fn plain_http_is_looked_at_too_but_said_to_be_readable() {
 #[tokio::test]
 async fn nobody_at_the_address_stops_it_at_once() {
     let cell = cell(|_| {}).await;
-    let arguments = cell.arguments.clone();
+    let target = cell.target.clone();
     cell.controller.stop().await;
-    let report = examine(&arguments, "robotics").await;
+    let report = examine(&target).await;
     assert_stopped_at(&report, Step::Address);
 }
 
@@ -244,7 +237,7 @@ async fn nobody_at_the_address_stops_it_at_once() {
 async fn an_open_guard_and_a_missing_signal_are_found_and_the_rest_is_looked_at() {
     let mut cell = cell(|config| config.egm.stream_when_idle = true).await;
     cell.controller.faults().guard_stop(true);
-    cell.arguments.signals.push("Vacuum".to_owned());
+    cell.target.signals.push("Vacuum".to_owned());
     let report = cell.examine().await;
     assert_failed(&report, &[Step::Motors, Step::Signals]);
     assert!(finding(&report, Step::Signals).saw.contains("Vacuum"));
@@ -254,7 +247,7 @@ async fn an_open_guard_and_a_missing_signal_are_found_and_the_rest_is_looked_at(
 #[tokio::test]
 async fn a_port_in_use_and_somebody_elses_mastership_are_found() {
     let cell = cell(|_| {}).await;
-    let taken = UdpSocket::bind(cell.arguments.egm.unwrap()).unwrap();
+    let taken = UdpSocket::bind(cell.target.egm.unwrap()).unwrap();
     let other = cell.client();
     other.request_edit_mastership().await.unwrap();
     let report = cell.examine().await;
@@ -272,8 +265,9 @@ async fn a_port_in_use_and_somebody_elses_mastership_are_found() {
 
 #[tokio::test]
 async fn a_program_reads_the_same_as_json() {
-    let cell = cell(|_| {}).await;
-    let report = examine(&cell.arguments, "wrong").await;
+    let mut cell = cell(|_| {}).await;
+    cell.target.password = "wrong".to_owned();
+    let report = examine(&cell.target).await;
     let json: serde_json::Value = serde_json::from_str(&report.json()).unwrap();
     assert_eq!(json["healthy"], false);
     assert_eq!(json["steps"].as_array().unwrap().len(), Step::ALL.len());
@@ -284,4 +278,46 @@ async fn a_program_reads_the_same_as_json() {
     );
     assert!(login["advice"].is_string());
     cell.controller.stop().await;
+}
+
+#[test]
+fn a_robot_of_the_cells_file_brings_its_addresses_account_and_certificate() {
+    let folder = std::env::temp_dir().join(format!("team-doctor-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("cell.toml");
+    let password = folder.join("password");
+    std::fs::write(&password, "secret\n").unwrap();
+    let robot = |id: &str, port: u16| {
+        format!(
+            "[[robot]]\nid = \"{id}\"\nname = \"{id}\"\nkind = \"gofa\"\n\
+             egm_listen = \"127.0.0.1:{port}\"\nrws_url = \"https://192.0.2.{port}\"\n\
+             rws_user = \"team\"\nrws_password_file = \"{}\"\n\
+             rws_certificate_sha256 = \"{OTHER}\"\n",
+            password.display()
+        )
+    };
+    std::fs::write(&file, robot("left", 11) + &robot("right", 12)).unwrap();
+    let asked = |robot: Option<&str>| {
+        let path = file.to_str().unwrap();
+        let mut words = vec!["team", "doctor", "--config", path];
+        words.extend(robot.iter().flat_map(|id| ["--robot", id]));
+        let line = <crate::config::CommandLine as clap::Parser>::try_parse_from(words).unwrap();
+        match line.command {
+            Some(crate::config::Command::Doctor(arguments)) => target(&arguments),
+            other => panic!("{other:?}"),
+        }
+    };
+    let right = asked(Some("right")).unwrap();
+    assert_eq!(right.rws, "https://192.0.2.12");
+    assert_eq!(
+        (right.user.as_str(), right.password.as_str()),
+        ("team", "secret")
+    );
+    assert_eq!(right.certificate.as_deref(), Some(OTHER));
+    assert_eq!(right.egm.unwrap().port(), 12);
+    for unclear in [None, Some("middle")] {
+        let error = asked(unclear).err().unwrap().to_string();
+        assert!(error.contains("left, right"), "{error}");
+    }
+    std::fs::remove_dir_all(folder).unwrap();
 }
