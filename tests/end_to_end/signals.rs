@@ -123,7 +123,7 @@ async fn takes_that_work_the_gripper_differently_are_refused_before_training() {
         .await;
     assert_eq!(places(&client, &again.expect(201)).await.len(), 1);
     let _ = client
-        .post("/robot/signals/Unknown", json!({ "on": true }))
+        .post("/robots/virtual/signals/Unknown", json!({ "on": true }))
         .await
         .problem(&[404]);
     server.terminate().await;
@@ -158,7 +158,7 @@ async fn a_gripper_that_does_not_close_stops_the_arm_with_words() {
         text(&result, "reason").contains("gripper did not close"),
         "{result}"
     );
-    let robot = client.get("/robot").await.expect(200);
+    let robot = client.get("/robots/virtual").await.expect(200);
     assert_eq!(robot["fault"]["code"], "signal_failed", "{robot}");
     // It stands on the planned path, behind the place of the signal and far from the end.
     let path = format!(
@@ -173,7 +173,7 @@ async fn a_gripper_that_does_not_close_stops_the_arm_with_words() {
         "stopped at {last} on the way to {goal}"
     );
     server.signals_get_stuck(false);
-    let _ = client.post_empty("/robot/reset").await.expect(200);
+    let _ = client.post_empty("/robots/virtual/reset").await.expect(200);
     let _ = work_gripper(&client, true).await.expect(200);
     server.shutdown().await;
 }
@@ -196,7 +196,10 @@ fn gripping_file() -> Value {
 
 async fn work_gripper(client: &Client, on: bool) -> e2e::Reply {
     client
-        .post(&format!("/robot/signals/{GRIPPER}"), json!({ "on": on }))
+        .post(
+            &format!("/robots/virtual/signals/{GRIPPER}"),
+            json!({ "on": on }),
+        )
         .await
 }
 
