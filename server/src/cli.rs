@@ -1,6 +1,7 @@
 //! The command line beside the server: training, reproduction and
-//! evaluation on files, and the virtual robot by itself.
+//! evaluation on files, a look at the links to a controller, and the virtual robot by itself.
 
+pub mod doctor;
 pub mod evaluate;
 mod folder;
 pub mod reproduce;
@@ -44,6 +45,14 @@ pub enum CliError {
         /// What it refused.
         #[from]
         error: learning::Error,
+    },
+    /// Something between this computer and a controller is not as it should be.
+    #[error("{failed} of {all} checks failed")]
+    Unwell {
+        /// So many.
+        failed: usize,
+        /// Of so many.
+        all: usize,
     },
     /// The virtual robot did not start, or its script makes no sense.
     #[error("the virtual robot does not start: {0}")]

@@ -63,6 +63,8 @@ pub enum Command {
     Train(cli::train::Args),
     /// Compute the tables of the method's evaluation from recorded files.
     Evaluate(cli::evaluate::Args),
+    /// Look at every link to a robot's controller, and say what to do about those that fail.
+    Doctor(cli::doctor::Args),
     /// Reproduce a model into numbers.
     Reproduce(cli::reproduce::Args),
     /// Run the virtual robot by itself, for a server on another computer.

@@ -16,6 +16,7 @@ pub fn run() -> ExitCode {
     let result = match line.command {
         Some(Command::Train(arguments)) => cli::train::run(&arguments).map_err(Into::into),
         Some(Command::Evaluate(arguments)) => cli::evaluate::run(&arguments).map_err(Into::into),
+        Some(Command::Doctor(arguments)) => cli::doctor::run(&arguments).map_err(Into::into),
         Some(Command::Reproduce(arguments)) => cli::reproduce::run(&arguments).map_err(Into::into),
         Some(Command::VirtualRobot(arguments)) => {
             begin_log();

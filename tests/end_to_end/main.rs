@@ -4,6 +4,7 @@
 mod api;
 mod cli;
 mod crash;
+mod doctor;
 mod flight;
 mod in_process;
 mod independent;

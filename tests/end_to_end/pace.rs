@@ -8,7 +8,7 @@ use crate::steps::{alone, ended, idle_arm, in_motion, joints, number, plan, star
 
 async fn robot_in_phase(client: &Client, phase: &str) -> Value {
     eventually(&format!("the arm is {phase}"), SHORT, || async {
-        let robot = client.get("/robot").await.expect(200);
+        let robot = client.get("/robots/virtual").await.expect(200);
         (robot["run"]["phase"] == phase).then_some(robot)
     })
     .await
@@ -29,7 +29,7 @@ async fn a_motion_is_slowed_paused_stopped_and_led_back_along_its_path() {
     let slow = client.post(&pace, json!({ "speed": 0.3 })).await;
     assert_eq!(slow.status, 204);
     eventually("the view shows the speed", SHORT, || async {
-        let robot = client.get("/robot").await.expect(200);
+        let robot = client.get("/robots/virtual").await.expect(200);
         (robot["run"]["speed"] == 0.3).then_some(())
     })
     .await;
@@ -66,7 +66,7 @@ async fn a_motion_is_slowed_paused_stopped_and_led_back_along_its_path() {
     let finished = ended(&client, &returning).await;
     assert_eq!(finished["state"], "succeeded", "{finished}");
     assert!(number(&finished, "e_j_deg") < 0.02, "{finished}");
-    let robot = client.get("/robot").await.expect(200);
+    let robot = client.get("/robots/virtual").await.expect(200);
     for (now, start) in joints(&robot, "joints_deg").iter().zip(begins) {
         assert!((now - start).abs() < 0.05, "{robot}");
     }

@@ -78,7 +78,7 @@ impl Flags {
 
     /// Speed of the present run as a share of its plan's.
     pub(crate) fn speed(&self) -> f64 {
-        1.0 - f64::from(self.slower_by.load(Ordering::Acquire)) * 1e-3
+        f64::from(1000_u32.saturating_sub(self.slower_by.load(Ordering::Acquire))) / 1e3
     }
 
     /// `share` is 0 to 1.

@@ -80,6 +80,7 @@ pub(crate) async fn poll(
     fast.set_missed_tick_behavior(MissedTickBehavior::Delay);
     slow.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let mut count = 0_u32;
+    let mut complained = None;
     loop {
         let pace = *pace.borrow();
         let questions = match pace {
@@ -102,6 +103,7 @@ pub(crate) async fn poll(
                 .await
                 .unwrap_or_else(News::Failed);
             let failed = matches!(news, News::Failed(_));
+            complain(&news, &mut complained);
             if observations
                 .send(Observation { asked, news })
                 .await
@@ -114,6 +116,17 @@ pub(crate) async fn poll(
                 break;
             }
         }
+    }
+}
+
+/// Logs why the controller cannot be asked, once until it is something else.
+fn complain(news: &News, complained: &mut Option<&'static str>) {
+    let News::Failed(error) = news else {
+        *complained = None;
+        return;
+    };
+    if complained.replace(error.code()) != Some(error.code()) {
+        tracing::warn!("{error}. {}", error.advice());
     }
 }
 

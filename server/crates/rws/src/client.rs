@@ -8,12 +8,15 @@ use reqwest::header::{ACCEPT, CONTENT_TYPE, HeaderValue, LOCATION};
 use reqwest::{Method, StatusCode, Url};
 use std::sync::Arc;
 use std::time::Duration;
+use tokio::sync::Semaphore;
 
 const ACCEPT_HAL: &str = "application/hal+json;v=2.0";
 // What every resource has, also where an older controller has no JSON.
 const ACCEPT_XHTML: &str = "application/xhtml+xml;v=2.0";
 // Without ";v=2.0" the controller answers 406, also to an empty body.
 const FORM: &str = "application/x-www-form-urlencoded;v=2.0";
+// The controller allows so many connections per session, beside one WebSocket.
+const CONNECTIONS: usize = 2;
 const BACK_OFF: [Duration; 3] = [
     Duration::from_millis(100),
     Duration::from_millis(250),
@@ -66,6 +69,7 @@ pub struct Client {
     cookies: Arc<SessionCookies>,
     base: Url,
     tls: Tls,
+    connections: Arc<Semaphore>,
     config: Arc<Config>,
 }
 
@@ -108,8 +112,7 @@ impl Client {
             .cookie_provider(Arc::clone(&cookies))
             // Commands to the arm must never take a detour through a proxy of the office network.
             .no_proxy()
-            // The controller allows two connections per session.
-            .pool_max_idle_per_host(2)
+            .pool_max_idle_per_host(CONNECTIONS)
             .connect_timeout(config.timeout)
             .timeout(config.timeout)
             .build()
@@ -119,6 +122,7 @@ impl Client {
             cookies,
             base,
             tls,
+            connections: Arc::new(Semaphore::new(CONNECTIONS)),
             config: Arc::new(config),
         })
     }
@@ -232,6 +236,8 @@ impl Client {
         if let Some(form) = form {
             request = request.header(CONTENT_TYPE, FORM).form(form);
         }
+        // It is never closed, so there is always a permit to come.
+        let _permit = self.connections.acquire().await.ok();
         let answer = request.send().await?;
         let status = answer.status();
         let location = answer

@@ -142,13 +142,13 @@ impl RwsError {
                 "Write the address as https://192.168.125.1 in the configuration."
             }
             Self::BadFingerprint { .. } => {
-                "Write certificate_sha256 as 64 hexadecimal digits, as team doctor shows them; colons between them do not matter."
+                "Write rws_certificate_sha256 as 64 hexadecimal digits, as team doctor shows them; colons between them do not matter."
             }
             Self::UnknownCertificate { .. } => {
-                "Compare the fingerprint with the one that team doctor shows on a computer plugged into the controller's service port. If it is the same, set it as certificate_sha256 in the configuration."
+                "Compare the fingerprint with the one that team doctor shows on a computer plugged into the controller's service port. If it is the same, set it as rws_certificate_sha256 in the configuration."
             }
             Self::WrongCertificate { .. } => {
-                "If the controller was replaced or installed anew, compare its fingerprint at the controller's service port and set it as certificate_sha256. Otherwise another device answers at the robot's address: call whoever runs the network."
+                "If the controller was replaced or installed anew, compare its fingerprint at the controller's service port and set it as rws_certificate_sha256. Otherwise another device answers at the robot's address: call whoever runs the network."
             }
             Self::Unreachable { .. } => {
                 "Check that the controller is switched on and its network cable is plugged in."

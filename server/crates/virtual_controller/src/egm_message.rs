@@ -3,8 +3,8 @@
 use egm::messages::{
     EgmCartesian, EgmClock, EgmCollisionInfo, EgmEuler, EgmFeedBack, EgmHeader, EgmJoints,
     EgmMciState, EgmMeasuredForce, EgmMotorState, EgmPlanned, EgmPose, EgmQuaternion,
-    EgmRapidCtrlExecState, EgmRapidData, EgmRobot, EgmTestSignals, EgmTimestamp, MciState,
-    MessageType, MotorState, RapidExecState,
+    EgmRapidCtrlExecState, EgmRapidData, EgmRobot, EgmTestSignals, MciState, MessageType,
+    MotorState, RapidExecState,
 };
 use egm::{ControllerTime, SequenceNumber};
 use motion::kinematics::{euler_xyz_deg, tool0};
@@ -47,15 +47,6 @@ impl Content {
         if set == MessageSet::RobotWare7 {
             return message;
         }
-        let early = set == MessageSet::EarlyRobotWare6;
-        if let Some(feed_back) = &mut message.feed_back {
-            feed_back.time_stamp = None;
-            feed_back.time = feed_back.time.filter(|_| !early);
-        }
-        if let Some(planned) = &mut message.planned {
-            planned.time_stamp = None;
-            planned.time = planned.time.filter(|_| !early);
-        }
         if let Some(force) = &mut message.measured_force {
             force.fc_active = None;
             force.force_rw6 = std::mem::take(&mut force.force);
@@ -64,7 +55,15 @@ impl Content {
         message.collision_info = None;
         message.rapid_from_robot = None;
         message.torque_ref = None;
-        message.utilization_rate = message.utilization_rate.filter(|_| !early);
+        if set == MessageSet::EarlyRobotWare6 {
+            message.utilization_rate = None;
+            if let Some(feed_back) = &mut message.feed_back {
+                feed_back.time = None;
+            }
+            if let Some(planned) = &mut message.planned {
+                planned.time = None;
+            }
+        }
         message
     }
 
@@ -72,10 +71,6 @@ impl Content {
         let time = EgmClock {
             sec: self.at.seconds,
             usec: self.at.microseconds.into(),
-        };
-        let time_stamp = EgmTimestamp {
-            sec: Some(self.at.seconds),
-            nsec: Some(u64::from(self.at.microseconds) * 1000),
         };
         let motors = if self.motors_on {
             MotorState::MotorsOn
@@ -93,14 +88,15 @@ impl Content {
                 cartesian: Some(pose(&self.measured)),
                 external_joints: None,
                 time: Some(time),
-                time_stamp: Some(time_stamp),
+                // A controller needs an option of its own for this one.
+                time_stamp: None,
             }),
             planned: Some(EgmPlanned {
                 joints: Some(joints(&self.planned)),
                 cartesian: Some(pose(&self.planned)),
                 external_joints: None,
                 time: Some(time),
-                time_stamp: Some(time_stamp),
+                time_stamp: None,
             }),
             motor_state: Some(EgmMotorState {
                 state: motors as i32,

@@ -111,7 +111,9 @@ fn router(app: App) -> Router {
     Router::new()
         .route("/", get(system::root))
         .route("/rw/system", get(system::system))
+        .route("/rw/system/options", get(system::options))
         .route("/ctrl/identity", get(system::identity))
+        .route("/ctrl/clock", get(system::clock))
         .route("/logout", get(system::logout))
         .route(
             "/rw/panel/ctrl-state",
@@ -131,6 +133,7 @@ fn router(app: App) -> Router {
             post(rapid::reset_program_pointer),
         )
         .route("/rw/rapid/tasks", get(rapid::tasks))
+        .route("/rw/rapid/tasks/{task}/modules", get(rapid::modules))
         .route("/rw/mastership/edit", get(mastership::state))
         .route("/rw/mastership/edit/request", post(mastership::request))
         .route("/rw/mastership/edit/release", post(mastership::release))

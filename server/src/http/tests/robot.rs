@@ -30,7 +30,7 @@ async fn without_an_arm_everything_but_stop_is_refused() {
     api.post("/api/v1/robots/none/virtual-hand", hand)
         .await
         .problem(409, "no_robot");
-    let gripper = "/api/v1/robot/signals/GripperClose";
+    let gripper = "/api/v1/robots/none/signals/GripperClose";
     api.post(gripper, json!({"on": true}))
         .await
         .problem(409, "no_robot");

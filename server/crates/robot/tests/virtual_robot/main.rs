@@ -4,6 +4,7 @@
 mod connection;
 mod faults;
 mod guidance;
+mod https;
 mod runs;
 mod signals;
 mod support;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use axum::Extension;
-use axum::extract::{Query, State};
+use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
 use axum::response::Response;
 
@@ -24,10 +24,30 @@ pub async fn execution(State(app): State<App>, format: Format) -> Response {
     reply::single(format, &item)
 }
 
+/// The one task, and what is loaded in it: the cell's modules and one of the controller's own.
+const TASK: &str = "T_ROB1";
+const MODULES: [(&str, &str); 3] = [
+    ("BASE", "SysMod"),
+    ("TEAM_main", "ProgMod"),
+    ("TEAM_egm", "ProgMod"),
+];
+
+pub async fn modules(format: Format, Path(task): Path<String>) -> Result<Response, Problem> {
+    if task != TASK {
+        return Err(Problem::missing("no such task"));
+    }
+    let items = MODULES.map(|(name, kind)| {
+        Item::new("rap-module-info-li", format!("{TASK}/{name}"))
+            .with("name", name)
+            .with("type", kind)
+    });
+    Ok(reply::list(format, &items))
+}
+
 pub async fn tasks(State(app): State<App>, format: Format) -> Response {
     let running = app.controller().program().is_running();
-    let item = Item::new("rap-task-li", "T_ROB1")
-        .with("name", "T_ROB1")
+    let item = Item::new("rap-task-li", TASK)
+        .with("name", TASK)
         .with("type", "norm")
         .with("taskstate", "link")
         .with("excstate", if running { "star" } else { "stop" })

@@ -9,6 +9,7 @@ use super::App;
 use super::negotiation::Format;
 use super::reply::{self, Item};
 use super::sessions::SessionId;
+use crate::clock::WallTime;
 
 pub async fn root(format: Format) -> Response {
     let services = ["rw", "ctrl", "subscription", "logout"];
@@ -35,6 +36,17 @@ pub async fn identity(State(app): State<App>, format: Format) -> Response {
         .with("ctrl-id", "virtual")
         .with("ctrl-type", "Virtual Controller")
         .with("ctrl-level", "Virtual");
+    reply::single(format, &item)
+}
+
+pub async fn options(format: Format) -> Response {
+    let names = ["RobotControl Base", "3124-1 Externally Guided Motion"];
+    let items = names.map(|name| Item::new("sys-option-li", name).with("option", name));
+    reply::list(format, &items)
+}
+
+pub async fn clock(format: Format) -> Response {
+    let item = Item::new("ctrl-clock-info", "clock").with("datetime", WallTime::now());
     reply::single(format, &item)
 }
 

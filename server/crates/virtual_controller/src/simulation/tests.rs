@@ -234,3 +234,20 @@ fn the_same_random_script_makes_the_same_run() {
         assert_eq!(run(), run(), "seed {seed}");
     }
 }
+
+#[test]
+fn whatever_happens_on_the_line_the_arm_stays_in_its_range() {
+    let limits = motion::limits::RobotLimits::gofa5();
+    for seed in 0..300 {
+        let mut simulation = started(FaultScript::random(seed, 1.5));
+        let home = simulation.controller().config().home;
+        for number in 0..400 {
+            let angle = home.0[0] + 0.1 * f64::from(number);
+            simulation.cycle(|_| Some(answer(number, home, angle, 20.0)));
+            let measured = simulation.measured();
+            assert!(measured.is_finite(), "seed {seed}");
+            let outside = limits.joint_out_of_range(&measured);
+            assert_eq!(outside, None, "seed {seed}: {measured:?}");
+        }
+    }
+}

@@ -5,6 +5,7 @@ use std::net::{Ipv4Addr, UdpSocket};
 use egm::SequenceNumber;
 use egm::messages::MciState;
 use motion::JointAngles;
+use virtual_controller::{Direction, Fault, FaultScript, ScriptedFault};
 
 #[cfg(test)]
 mod cell;
@@ -97,5 +98,45 @@ async fn lost_messages_leave_the_server_without_feedback_and_the_arm_without_ref
     let mut buffer = [0; 1];
     let nothing = server.socket.recv_from(&mut buffer).unwrap_err();
     assert_eq!(nothing.kind(), std::io::ErrorKind::WouldBlock);
+    cell.controller.stop().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_script_delays_and_doubles_messages_on_their_way_and_the_arm_is_guided_all_the_same() {
+    let mut server = Server::bind();
+    let cell = Cell::start(server.socket.local_addr().unwrap()).await;
+    let delay = Fault::Delay {
+        delay_s: 0.002,
+        spread_s: 0.005,
+    };
+    let twice = Fault::Duplicate {
+        copies: 1,
+        apart_s: 0.0,
+    };
+    let script = FaultScript {
+        seed: 1,
+        faults: vec![
+            delay.into(),
+            ScriptedFault {
+                direction: Direction::ToServer,
+                ..twice.into()
+            },
+        ],
+    };
+    cell.controller.faults().play(script).unwrap();
+    cell.run_program().await;
+    let arrived = tokio::task::spawn_blocking(move || {
+        for expected in 0..200 {
+            for copy in 0..2 {
+                let (feedback, from) = server.receive();
+                assert_eq!(feedback.sequence, Some(SequenceNumber(expected)), "{copy}");
+                if copy == 0 {
+                    server.answer(&feedback, feedback.feedback.unwrap(), from);
+                }
+                assert_eq!(feedback.mci_state, Some(MciState::Running));
+            }
+        }
+    });
+    arrived.await.unwrap();
     cell.controller.stop().await;
 }
