@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use motion::limits::RobotLimits;
-use robot::{RobotConfig, RobotKind};
+use robot::{RobotConfig, RobotKind, SignalConfig};
 
 use crate::config::{Config, RobotChoice};
 
@@ -37,6 +37,8 @@ pub struct RobotSettings {
     pub limits: RobotLimits,
     /// Where it may not go.
     pub keep_out: Vec<KeepOut>,
+    /// The signals that people may work on it.
+    pub signals: Vec<SignalConfig>,
     /// Silence on the control link after which a motion has failed.
     pub silence: Duration,
 }
@@ -158,6 +160,7 @@ fn without_file(config: &Config) -> RobotSettings {
         controller: None,
         limits: RobotLimits::gofa5(),
         keep_out: Vec::new(),
+        signals: RobotConfig::new(kind, egm_listen).signals,
         silence: RobotConfig::new(kind, egm_listen).silence,
     }
 }
@@ -168,6 +171,7 @@ impl RobotSettings {
         let mut config = RobotConfig::new(self.kind, self.egm_listen);
         config.silence = self.silence;
         config.limits = self.limits.clone();
+        config.signals.clone_from(&self.signals);
         if let Some(controller) = &self.controller {
             config.rws_url = Some(controller.rws_url.clone());
             config

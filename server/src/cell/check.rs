@@ -1,6 +1,7 @@
 //! The checks of a configuration file: from its tables to settings, or to what is wrong with it.
 
 mod controller;
+mod signals;
 
 use std::collections::HashMap;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -137,6 +138,7 @@ impl OneRobot<'_> {
             controller: self.controller(kind)?,
             limits: self.limits()?,
             keep_out: self.keep_out()?,
+            signals: self.signals(kind)?,
             silence: self.silence(RobotConfig::new(kind, egm_listen).silence)?,
             id,
         })

@@ -33,6 +33,8 @@ pub(super) struct RobotTable {
     pub silence_limit_ms: Option<Spanned<u64>>,
     #[serde(default)]
     pub keep_out: Vec<Spanned<KeepOutTable>>,
+    #[serde(default)]
+    pub signal: Vec<Spanned<SignalTable>>,
 }
 
 /// Which arm.
@@ -50,4 +52,14 @@ pub(super) struct KeepOutTable {
     pub name: String,
     pub min_mm: [f64; 3],
     pub max_mm: [f64; 3],
+}
+
+/// One `[[robot.signal]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SignalTable {
+    pub name: String,
+    pub label: String,
+    pub on: String,
+    pub off: String,
 }

@@ -357,3 +357,34 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn signals_are_those_of_the_file_or_the_virtual_gripper() {
+    let robots = read(TWO).unwrap();
+    assert_eq!(robots[0].robot_config().signals[0].label, "Gripper");
+    assert!(
+        robots[1].signals.is_empty(),
+        "nobody knows what a real arm holds"
+    );
+
+    let vacuum = "\n[[robot.signal]]\nname = \"doVacuum\"\nlabel = \"Vacuum\"\non = \"suck\"\noff = \"let go\"\n";
+    let robots = read(&format!("{TWO}{vacuum}")).unwrap();
+    let config = robots[1].robot_config();
+    let told: Vec<(&str, &str)> = config
+        .signals
+        .iter()
+        .map(|signal| (&*signal.name, &*signal.off))
+        .collect();
+    assert_eq!(told, [("doVacuum", "let go")]);
+
+    let twice = read(&format!("{TWO}{vacuum}{vacuum}"))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        twice.contains("signal.name") && twice.contains("twice"),
+        "{twice}"
+    );
+    let nameless = vacuum.replace("doVacuum", " ");
+    let nameless = read(&format!("{TWO}{nameless}")).unwrap_err().to_string();
+    assert!(nameless.contains("signal.name"), "{nameless}");
+}
