@@ -35,8 +35,6 @@ pub struct RobotSettings {
     pub controller: Option<Controller>,
     /// What it may do.
     pub limits: RobotLimits,
-    /// Where it may not go.
-    pub keep_out: Vec<KeepOut>,
     /// The signals that people may work on it.
     pub signals: Vec<SignalConfig>,
     /// Silence on the control link after which a motion has failed.
@@ -72,17 +70,6 @@ impl fmt::Debug for Secret {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("[secret]")
     }
-}
-
-/// A box in the robot's base frame into which the tool may not go.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KeepOut {
-    /// What stands there.
-    pub name: String,
-    /// Its lowest corner, in millimetres.
-    pub min_mm: [f64; 3],
-    /// Its highest corner, in millimetres.
-    pub max_mm: [f64; 3],
 }
 
 /// Why a configuration file can't be used.
@@ -159,7 +146,6 @@ fn without_file(config: &Config) -> RobotSettings {
         egm_listen,
         controller: None,
         limits: RobotLimits::gofa5(),
-        keep_out: Vec::new(),
         signals: RobotConfig::new(kind, egm_listen).signals,
         silence: RobotConfig::new(kind, egm_listen).silence,
     }

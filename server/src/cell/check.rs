@@ -14,10 +14,13 @@ use robot::{RobotConfig, RobotKind};
 use toml::Spanned;
 
 use super::file::{CellFile, KeepOutTable, Kind, RobotTable};
-use super::{CellError, KeepOut, RobotSettings};
+use super::{CellError, RobotSettings};
+use motion::keep_out::KeepOut;
 
 /// The arm's own speed at the tool, in millimetres per second.
 const FASTEST_TOOL_MM_S: f64 = 2_200.0;
+/// Longest distance of a tool's point from the flange, mm.
+const LONGEST_TOOL_MM: f64 = 1_000.0;
 /// Words of the interface that a robot can't be called.
 const RESERVED: [&str; 1] = ["stop"];
 const SEE_DOCS: &str = "docs/cell.md lists every key with its unit";
@@ -137,7 +140,6 @@ impl OneRobot<'_> {
             egm_listen,
             controller: self.controller(kind)?,
             limits: self.limits()?,
-            keep_out: self.keep_out()?,
             signals: self.signals(kind)?,
             silence: self.silence(RobotConfig::new(kind, egm_listen).silence)?,
             id,
@@ -253,6 +255,24 @@ impl OneRobot<'_> {
             "joint_acceleration_deg_s2",
             &mut limits.joint_acceleration_deg_s2,
         )?;
+        if let Some(field) = &table.tool_mm {
+            let reach = field.get_ref().iter().map(|mm| mm * mm).sum::<f64>().sqrt();
+            if !(reach <= LONGEST_TOOL_MM) {
+                let advice = "write x, y and z of the tool's point from the flange, in mm";
+                return Err(self.wrong(field, "tool_mm", "no tool is that long", advice));
+            }
+            limits.tool_mm = *field.get_ref();
+        }
+        if let Some(field) = &table.refused_wrist_angle_deg {
+            let angle = *field.get_ref();
+            if !(0.0..=45.0).contains(&angle) {
+                let what = format!("{angle}° is not in 0 to 45");
+                let advice = "write how far joint 5 has to stay from 0°, in degrees";
+                return Err(self.wrong(field, "refused_wrist_angle_deg", &what, advice));
+            }
+            limits.refused_wrist_angle_deg = angle;
+        }
+        limits.keep_out = self.keep_out()?;
         Ok(limits)
     }
 

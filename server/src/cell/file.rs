@@ -30,6 +30,8 @@ pub(super) struct RobotTable {
     pub tcp_speed_mm_s: Option<Spanned<f64>>,
     pub joint_speed_deg_s: Option<Spanned<[f64; 6]>>,
     pub joint_acceleration_deg_s2: Option<Spanned<[f64; 6]>>,
+    pub tool_mm: Option<Spanned<[f64; 3]>>,
+    pub refused_wrist_angle_deg: Option<Spanned<f64>>,
     pub silence_limit_ms: Option<Spanned<u64>>,
     #[serde(default)]
     pub keep_out: Vec<Spanned<KeepOutTable>>,

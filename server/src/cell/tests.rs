@@ -51,7 +51,7 @@ fn a_whole_file_gives_what_it_says_and_the_defaults_for_the_rest() {
     assert_eq!(left.kind, RobotKind::Virtual);
     assert_eq!(left.egm_listen, ([127, 0, 0, 1], 0).into());
     assert_eq!(left.limits, RobotLimits::gofa5());
-    assert!(left.controller.is_none() && left.keep_out.is_empty());
+    assert!(left.controller.is_none() && left.limits.keep_out.is_empty());
 
     assert_eq!((&*right.id, &*right.name), ("right-2", "right-2"));
     assert_eq!(right.egm_listen, ([192, 168, 125, 99], 6511).into());
@@ -63,7 +63,7 @@ fn a_whole_file_gives_what_it_says_and_the_defaults_for_the_rest() {
         right.limits.joint_max_deg,
         RobotLimits::gofa5().joint_max_deg
     );
-    assert_eq!(right.keep_out[0].max_mm, [700.0, 500.0, 250.5]);
+    assert_eq!(right.limits.keep_out[0].max_mm, [700.0, 500.0, 250.5]);
     let controller = right.controller.as_ref().unwrap();
     assert_eq!(controller.certificate_sha256, Some("aa".repeat(32)));
     let config = right.robot_config();

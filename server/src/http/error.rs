@@ -418,6 +418,14 @@ fn place_of(error: &PlanError) -> Option<Value> {
             } => json!({
                 "joint": joint + 1, "t_s": t_s, "value": value_deg, "limit": limit_deg,
             }),
+            Refusal::KeepOut { name, t_s, tool_mm } => {
+                json!({ "keep_out": name, "t_s": t_s, "tool_mm": tool_mm })
+            }
+            Refusal::WristStretched {
+                t_s,
+                value_deg,
+                limit_deg,
+            } => json!({ "joint": 5, "t_s": t_s, "value": value_deg, "limit": limit_deg }),
             Refusal::TooQuick(breach) => json!({
                 "joint": breach.quantity.joint().map(|joint| joint + 1),
                 "t_s": breach.t_s, "value": breach.value, "limit": breach.limit,

@@ -2,6 +2,7 @@
 //! the exact samples that will be streamed. Preview, API, command line and player
 //! all rely on this one check.
 
+use crate::keep_out::KeepOut;
 use crate::limits::RobotLimits;
 use crate::plan::{Plan, PlanSignal, Setpoint};
 use crate::{JOINTS, JointAngles, JointVelocities, kinematics};
@@ -102,6 +103,28 @@ pub enum Refusal {
         /// The end of the range that is passed, degrees.
         limit_deg: f64,
     },
+    /// The arm or its tool would enter a box that it must not enter.
+    #[error("the arm would enter the keep-out box \"{name}\" at {t_s:.2} s")]
+    KeepOut {
+        /// What stands there.
+        name: String,
+        /// Time from the first sample, seconds.
+        t_s: f64,
+        /// Where the tool is then, millimetres in the base frame.
+        tool_mm: [f64; 3],
+    },
+    /// The wrist would come nearer to its singular pose than this robot may.
+    #[error(
+        "joint 5 would come to {value_deg:.1}° at {t_s:.2} s, it has to stay {limit_deg:.1}° away from 0°"
+    )]
+    WristStretched {
+        /// Time from the first sample, seconds.
+        t_s: f64,
+        /// Angle there, degrees.
+        value_deg: f64,
+        /// How far from 0 it has to stay, degrees.
+        limit_deg: f64,
+    },
     /// The motion is too quick somewhere.
     #[error("{}", describe(.0))]
     TooQuick(Breach),
@@ -115,6 +138,8 @@ impl Refusal {
             Refusal::SignalMisplaced { .. } => "signal_misplaced",
             Refusal::NotFinite { .. } => "motion_not_finite",
             Refusal::OutsideRange { .. } => "outside_joint_range",
+            Refusal::KeepOut { .. } => "keep_out",
+            Refusal::WristStretched { .. } => "wrist_stretched",
             Refusal::TooQuick(_) => "motion_too_quick",
         }
     }
@@ -124,6 +149,7 @@ impl Refusal {
         match self {
             Refusal::NotFinite { joint, .. } | Refusal::OutsideRange { joint, .. } => Some(*joint),
             Refusal::TooQuick(breach) => breach.quantity.joint(),
+            Refusal::WristStretched { .. } => Some(4),
             Refusal::Malformed | Refusal::SignalMisplaced { .. } => None,
         }
     }
@@ -247,9 +273,10 @@ pub fn inspect(motion: &ProposedMotion, limits: &RobotLimits) -> Result<Inspecti
         }
     }
     let mut peak_tcp_speed_mm_s = 0.0;
-    let mut previous = kinematics::tool0(&motion.joints[0]).position;
+    let tool = |joints| kinematics::tool_point(joints, limits.tool_mm);
+    let mut previous = tool(&motion.joints[0]);
     for (i, joints) in motion.joints.iter().enumerate().skip(1) {
-        let position = kinematics::tool0(joints).position;
+        let position = tool(joints);
         let speed = position.distance(&previous) / dt;
         peak_tcp_speed_mm_s = f64::max(peak_tcp_speed_mm_s, speed);
         worst.see(
@@ -291,6 +318,22 @@ fn check_positions(motion: &ProposedMotion, limits: &RobotLimits) -> Result<(), 
                 t_s,
                 value_deg,
                 limit_deg,
+            });
+        }
+        let value_deg = joints.0[4];
+        if value_deg.abs() < limits.refused_wrist_angle_deg {
+            return Err(Refusal::WristStretched {
+                t_s,
+                value_deg,
+                limit_deg: limits.refused_wrist_angle_deg,
+            });
+        }
+        let entered = |keep_out: &&KeepOut| keep_out.is_entered(joints, limits.tool_mm);
+        if let Some(keep_out) = limits.keep_out.iter().find(entered) {
+            return Err(Refusal::KeepOut {
+                name: keep_out.name.clone(),
+                t_s,
+                tool_mm: kinematics::tool_point(joints, limits.tool_mm).0,
             });
         }
     }

@@ -64,6 +64,35 @@ pub fn radians(angle_deg: f64) -> f64 {
     angle_deg.to_radians()
 }
 
+/// Where the tool's point is in the base frame, when it is at `tool_mm` in the frame of tool0.
+pub fn tool_point(joints: &JointAngles, tool_mm: [f64; 3]) -> Position {
+    let flange = tool0(joints);
+    let reach = rotate(&flange.orientation, tool_mm);
+    Position([0, 1, 2].map(|axis| flange.position.0[axis] + reach[axis]))
+}
+
+/// The line through the arm: base, every joint, flange and the tool's point, in the base frame.
+pub fn centre_line(joints: &JointAngles, tool_mm: [f64; 3]) -> [Position; 8] {
+    let mut line = [Position([0.0; 3]); 8];
+    let mut position = [0.0; 3];
+    let mut orientation = Orientation {
+        w: 1.0,
+        x: 0.0,
+        y: 0.0,
+        z: 0.0,
+    };
+    for (joint, (&(offset, axis), &angle_deg)) in CHAIN.iter().zip(&joints.0).enumerate() {
+        let step = rotate(&orientation, offset);
+        for (p, s) in position.iter_mut().zip(step) {
+            *p += s;
+        }
+        line[joint + 1] = Position(position);
+        orientation = multiply(&orientation, &about(axis, angle_deg.to_radians()));
+    }
+    line[7] = tool_point(joints, tool_mm);
+    line
+}
+
 /// Angles about the fixed axes x, y and z, in this order, that give an orientation, degrees.
 /// This is how EGM writes orientations beside quaternions.
 pub fn euler_xyz_deg(q: &Orientation) -> [f64; 3] {

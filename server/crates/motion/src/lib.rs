@@ -8,6 +8,7 @@
 
 pub mod filter;
 pub mod gate;
+pub mod keep_out;
 pub mod kinematics;
 pub mod limits;
 pub mod minimum_jerk;

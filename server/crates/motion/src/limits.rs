@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{JOINTS, JointAngles};
+use crate::{JOINTS, JointAngles, keep_out::KeepOut};
 
 /// Limits of one robot. Per-joint arrays are joints 1 to 6.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,6 +20,13 @@ pub struct RobotLimits {
     pub joint_jerk_deg_s3: [f64; JOINTS],
     /// Largest speed of the tool's centre point, mm/s.
     pub tcp_speed_mm_s: f64,
+    /// Where the tool's centre point is in the frame of tool0, millimetres.
+    pub tool_mm: [f64; 3],
+    /// Boxes that must not be entered.
+    pub keep_out: Vec<KeepOut>,
+    /// A motion that comes nearer to the wrist's singular pose (joint 5 at 0°) is refused,
+    /// degrees; 0 refuses none, because joint angles lead through that pose without harm.
+    pub refused_wrist_angle_deg: f64,
     /// Below this angle of joint 5 the wrist is near its singular pose and a
     /// motion is reported with a warning, degrees.
     pub min_wrist_angle_deg: f64,
@@ -40,6 +47,9 @@ impl RobotLimits {
             joint_acceleration_deg_s2: [150.0, 150.0, 200.0, 300.0, 300.0, 500.0],
             joint_jerk_deg_s3: [3000.0, 3000.0, 4000.0, 8000.0, 8000.0, 12000.0],
             tcp_speed_mm_s: 250.0,
+            tool_mm: [0.0; 3],
+            keep_out: Vec::new(),
+            refused_wrist_angle_deg: 0.0,
             min_wrist_angle_deg: 1.0,
         }
     }
