@@ -5,6 +5,7 @@
 mod figures;
 mod judging;
 mod record;
+mod signals;
 
 use std::sync::Arc;
 
@@ -25,8 +26,9 @@ use crate::store::reproductions::{
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
 use figures::{Figures, Measure};
-use judging::{failed, judge, keep_signals, measured};
+use judging::{failed, judge, measured};
 use record::Keeper;
+use signals::keep_signals;
 
 /// Why a reproduction could not begin.
 #[derive(Debug, thiserror::Error)]

@@ -150,7 +150,7 @@ impl Refusal {
             Refusal::NotFinite { joint, .. } | Refusal::OutsideRange { joint, .. } => Some(*joint),
             Refusal::TooQuick(breach) => breach.quantity.joint(),
             Refusal::WristStretched { .. } => Some(4),
-            Refusal::Malformed | Refusal::SignalMisplaced { .. } => None,
+            Refusal::Malformed | Refusal::SignalMisplaced { .. } | Refusal::KeepOut { .. } => None,
         }
     }
 }
