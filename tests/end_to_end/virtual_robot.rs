@@ -3,7 +3,7 @@
 use std::net::SocketAddr;
 use std::process::Stdio;
 
-use e2e::{Folder, SHORT};
+use e2e::{Client, Folder, SHORT};
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::net::UdpSocket;
 use tokio::process::{Child, Command};
@@ -81,15 +81,13 @@ async fn the_robot_runs_by_itself_and_suffers_what_its_script_says() {
     };
     assert_eq!(next_message(&server).await, (1, second));
 
-    let url = format!("http://127.0.0.1:{rws}/rw/system");
-    let answer = reqwest::Client::new()
-        .get(url)
-        .basic_auth("Default User", Some("robotics"))
-        .header("Accept", "application/hal+json;v=2.0")
-        .send()
+    let account = "Basic RGVmYXVsdCBVc2VyOnJvYm90aWNz";
+    let _ = Client::new(&format!("http://127.0.0.1:{rws}"))
+        .with_header("authorization", account)
+        .with_header("accept", "application/hal+json;v=2.0")
+        .get("//rw/system")
         .await
-        .expect("the web services answer");
-    assert!(answer.status().is_success(), "{}", answer.status());
+        .expect(200);
     robot.kill().await.expect("the robot can be ended");
 }
 

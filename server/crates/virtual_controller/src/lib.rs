@@ -2,7 +2,8 @@
 //! over HTTP or HTTPS, on real sockets, as a real cell does.
 //!
 //! Its state and physics ([`controller`], [`arm`], [`hand`]) know neither sockets nor clocks;
-//! [`egm_client`] and [`rws`] connect them, and [`simulation`] runs them without both. Other programs reach it through its sockets alone.
+//! [`egm_client`] and [`rws`] connect them, and [`simulation`] runs them without both. Other
+//! programs reach it through its sockets alone.
 //! Only one resource is not ABB's: `/virtual/hand`, with which a scripted hand guides the arm while
 //! lead-through is active.
 
