@@ -99,6 +99,15 @@ impl Session {
         self.visitor.is_some_and(|visitor| visitor.waits)
     }
 
+    /// Nobody relies on the setpoints any more: they are let through for as long as the arm needs
+    /// to come to rest, and refused from then on.
+    pub fn release(&mut self) {
+        if let Some(live) = self.live.as_mut().filter(|live| live.armed) {
+            live.armed = false;
+            live.brakes_for_us = Some(self.config.brake_us);
+        }
+    }
+
     /// Refuses setpoints from the next answer on; the reference stays where it is.
     pub fn disarm(&mut self) {
         if let Some(live) = &mut self.live {

@@ -67,6 +67,10 @@ impl PathSpeed {
         elapsed_s: f64,
         limits: &RobotLimits,
     ) -> f64 {
+        let passes = elapsed_s > 0.0; // False for NaN, too.
+        if !passes {
+            return t_s;
+        }
         let steps = (elapsed_s / STEP_S).ceil().max(1.0);
         let step_s = elapsed_s / steps;
         let mut t_s = t_s;

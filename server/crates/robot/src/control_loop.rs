@@ -207,12 +207,14 @@ impl ControlLoop {
             self.end_run(LoopEnd::Held(hold));
             self.rest_at_reference();
         } else if let Some(end) = step.and_then(|step| step.end) {
+            let trouble = self.active.as_ref().and_then(|active| active.trouble);
             self.rest = match end {
+                // There is no time left but for coming to rest where the reference is.
+                _ if trouble.is_some() => answer.correction.joints,
                 // An arm that is held up by something must not be pushed any further.
                 PlayerEnd::NotFollowing { .. } | PlayerEnd::NotSettled { .. } => received.measured,
                 PlayerEnd::Completed | PlayerEnd::Stopped => answer.correction.joints,
             };
-            let trouble = self.active.as_ref().and_then(|active| active.trouble);
             self.end_run(trouble.unwrap_or(LoopEnd::Player(end)));
         }
         encode_correction(&answer.correction, reply).ok()
@@ -250,9 +252,8 @@ impl ControlLoop {
         while let Ok(command) = self.links.commands.pop() {
             match command {
                 Command::Disarm => {
-                    self.end_run(LoopEnd::Disarmed);
-                    self.session.disarm();
-                    self.rest_at_reference();
+                    self.bring_to_rest(LoopEnd::Disarmed);
+                    self.session.release();
                 }
                 Command::Arm { run, stops, plan } => {
                     self.end_run(LoopEnd::Disarmed);

@@ -62,6 +62,18 @@ fn a_stop_takes_a_third_of_a_second_at_hand_guided_speeds() {
 }
 
 #[test]
+fn no_time_changes_nothing() {
+    let swing = swing(0.5, 3.0, [1.0; JOINTS]);
+    let mut speed = PathSpeed::steady(1.0);
+    speed.advance(&swing, 0.7, 0.0, CYCLE_S, &RobotLimits::gofa5());
+    for nothing in [0.0, -1.0, f64::NAN] {
+        let before = speed;
+        let t_s = speed.advance(&swing, 0.7, 0.0, nothing, &RobotLimits::gofa5());
+        assert_eq!((t_s, speed), (0.7, before));
+    }
+}
+
+#[test]
 fn the_change_begins_with_the_first_cycle() {
     let swing = swing(0.5, 3.0, [1.0; JOINTS]);
     let mut speed = PathSpeed::steady(1.0);

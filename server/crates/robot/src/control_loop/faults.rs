@@ -166,7 +166,8 @@ impl Line {
             *answers += 1;
             // A stranger is held where it stands.
             let stops = run.phase == RunPhase::Stopping || run.end.is_some() || visited;
-            assert!(stops || *answers < WITHIN, "it goes on: {run:?}");
+            let seen = self.observer.last;
+            assert!(stops || *answers < WITHIN, "it goes on: {run:?}, {seen:?}");
         }
     }
 
@@ -206,8 +207,9 @@ fn run_under(script: FaultScript, travel_deg: [f64; 6], duration_s: f64) -> Loop
     simulation.play(script).unwrap();
     let cycles = ((duration_s + 12.0) / CYCLE_S) as usize;
     for _ in 0..cycles {
-        simulation.cycle(|datagram| line.serve(datagram));
+        // Everything that arrives before this is served.
         let now_us = simulation.next_cycle_us();
+        simulation.cycle(|datagram| line.serve(datagram));
         if now_us > line.control.latest_us + 100_000 {
             line.control.silence(now_us);
         }
@@ -248,4 +250,15 @@ proptest! {
             RunEnd::Stopped => prop_assert!(false, "nobody stopped it"),
         }
     }
+}
+
+#[test]
+fn an_arm_that_is_led_astray_by_a_damaged_answer_is_led_to_rest_too() {
+    let travel_deg = [0.0, 0.0, 0.0, 0.0, 0.0, -6.955_496_456_415_824];
+    let duration_s = 2.395_030_545_558_235;
+    run_under(
+        FaultScript::random(5_064_538_541_975_703_746, duration_s),
+        travel_deg,
+        duration_s,
+    );
 }
