@@ -40,7 +40,8 @@ pub struct RobotConfig {
     pub session_timeout: Duration,
     /// Silence on the control link after which a run has failed.
     pub silence: Duration,
-    /// Ask the system for real-time priority for the control loop.
+    /// Ask the system for real-time priority for the control loop, and not only for the highest
+    /// ordinary one.
     pub real_time: bool,
     /// What the arm is allowed to do.
     pub limits: RobotLimits,

@@ -34,22 +34,25 @@ pub(crate) fn bind(address: SocketAddr) -> std::io::Result<UdpSocket> {
 
 /// Asks for real-time priority for the calling thread. Without the right to it the loop runs at
 /// the highest ordinary one that it gets; the view says so.
-fn raise_priority() -> bool {
-    let fifo = ThreadPriorityValue::try_from(FIFO_PRIORITY).is_ok_and(|priority| {
-        set_thread_priority_and_policy(
-            thread_native_id(),
-            ThreadPriority::Crossplatform(priority),
-            ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo),
-        )
-        .is_ok()
-    });
+fn raise_priority(real_time: bool) -> bool {
+    let fifo = real_time
+        && ThreadPriorityValue::try_from(FIFO_PRIORITY).is_ok_and(|priority| {
+            set_thread_priority_and_policy(
+                thread_native_id(),
+                ThreadPriority::Crossplatform(priority),
+                ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo),
+            )
+            .is_ok()
+        });
     if !fifo {
         // Either way the arm is served; a raised priority only makes late answers rarer.
         let raised = rustix::process::setpriority_process(None, NICENESS).is_ok();
-        tracing::warn!(
-            raised,
-            "the system gives the control loop no real-time priority; answers may be late when it is busy"
-        );
+        if real_time {
+            tracing::warn!(
+                raised,
+                "the system gives the control loop no real-time priority; answers may be late when it is busy"
+            );
+        }
     }
     fifo
 }
@@ -65,7 +68,7 @@ pub(crate) fn spawn(
     std::thread::Builder::new()
         .name("egm".to_owned())
         .spawn(move || {
-            flags.set_real_time(real_time && raise_priority());
+            flags.set_real_time(raise_priority(real_time));
             let mut thread = ControlThread {
                 socket,
                 control,

@@ -9,6 +9,7 @@ use crate::testing::{HOME, minimum_jerk_plan};
 use egm::messages::{MciState, MotorState, RapidExecState};
 use motion::JOINTS;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use std::sync::Arc;
 use virtual_controller::{Config, Datagram, FaultScript, SimulatedController};
 
@@ -21,8 +22,13 @@ const MARGIN: f64 = 1.06;
 /// What is wrong with a datagram, judged by its bytes alone.
 #[derive(Default)]
 struct Observer {
-    last: Option<(SocketAddr, i64, u64)>,
+    last: Option<Seen>,
+    /// The newest odd one, with the one before it and whether it was sound.
+    oddest: Option<(Option<Seen>, Seen, bool)>,
 }
+
+/// Where from, with which number, and when, µs.
+type Seen = (SocketAddr, i64, u64);
 
 impl Observer {
     /// Whether the arm has to be stopped because of this datagram.
@@ -44,13 +50,17 @@ impl Observer {
             None => true,
             Some((controller, last, at_us)) => {
                 let steps = number - last;
-                let copy = steps == 0 && datagram.at_us < at_us + 2_000;
+                // About half a cycle later it may be either a copy or a cycle of its own.
+                let copy = steps == 0 && datagram.at_us < at_us + 2_300;
                 controller == datagram.controller
                     && (copy || (1..=1 + i64::from(LOST_TOLERATED)).contains(&steps))
                     && datagram.at_us < at_us + 100_000
             }
         };
-        self.last = Some(now);
+        let before = self.last.replace(now);
+        if !(sound && goes_on) {
+            self.oddest = Some((before, now, sound));
+        }
         !(sound && goes_on)
     }
 }
@@ -166,7 +176,7 @@ impl Line {
             *answers += 1;
             // A stranger is held where it stands.
             let stops = run.phase == RunPhase::Stopping || run.end.is_some() || visited;
-            let seen = self.observer.last;
+            let seen = self.observer.oddest;
             assert!(stops || *answers < WITHIN, "it goes on: {run:?}, {seen:?}");
         }
     }
@@ -233,7 +243,12 @@ fn without_faults_the_run_is_completed() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1_000, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 1_000,
+        // The same thousand each time; PROPTEST_RNG_SEED tries others.
+        rng_seed: RngSeed::Fixed(2),
+        ..ProptestConfig::default()
+    })]
     #[test]
     fn every_fault_ends_in_a_ramped_stop_or_a_hold(
         seed in any::<u64>(),
