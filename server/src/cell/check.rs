@@ -257,7 +257,7 @@ impl OneRobot<'_> {
         )?;
         if let Some(field) = &table.tool_mm {
             let reach = field.get_ref().iter().map(|mm| mm * mm).sum::<f64>().sqrt();
-            if !(reach <= LONGEST_TOOL_MM) {
+            if !(0.0..=LONGEST_TOOL_MM).contains(&reach) {
                 let advice = "write x, y and z of the tool's point from the flange, in mm";
                 return Err(self.wrong(field, "tool_mm", "no tool is that long", advice));
             }
