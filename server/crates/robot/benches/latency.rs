@@ -25,6 +25,8 @@ const CYCLE: Duration = Duration::from_micros(4_000);
 const FILLING: usize = 50;
 /// Size of an answer.
 const ANSWER_BYTES: usize = 160;
+/// Joint 6 moves by this much from question to question.
+const ANGLE_STEP_DEG: f64 = 1e-4;
 const WAIT_FOR_THE_LAST: Duration = Duration::from_millis(500);
 const LOCAL: SocketAddr = SocketAddr::new(std::net::IpAddr::V4(Ipv4Addr::LOCALHOST), 0);
 
@@ -179,7 +181,8 @@ impl Asker {
         self.socket.send(&self.message).expect("the line");
     }
 
-    /// Takes what has come. Answers come in order: one for each question.
+    /// Takes what has come. Which question an answer is to stands in it: while nothing is applied
+    /// the control loop answers with the measured pose. The echo answers all, in order.
     fn take_answers(&mut self) {
         let mut bytes = [0; 2048];
         let mut space = nix::cmsg_space!(nix::sys::time::TimeSpec);
@@ -196,7 +199,14 @@ impl Asker {
                 }
                 _ => None,
             });
-            let asked_ns = self.asked_ns[self.waits_us.len()];
+            let length = got.bytes;
+            let question = codec::decode_sensor(&bytes[..length])
+                .ok()
+                .and_then(|answer| answer.planned?.joints?.joints.last().copied())
+                .map_or(self.waits_us.len(), |angle| {
+                    (angle / ANGLE_STEP_DEG).round() as usize
+                });
+            let asked_ns = self.asked_ns[question];
             let wait_ns = arrived.expect("a stamp of the kernel") - asked_ns;
             self.waits_us.push(wait_ns as f64 / 1e3);
         }
@@ -208,7 +218,7 @@ fn now_ns() -> i128 {
     i128::from(now.tv_sec()) * 1_000_000_000 + i128::from(now.tv_nsec())
 }
 
-/// A robot that stands still while its controller applies references.
+/// A robot that is moved by hand and tells its pose: joint 6 counts the questions.
 fn message(cycle: u32) -> EgmRobot {
     EgmRobot {
         header: Some(EgmHeader {
@@ -218,7 +228,14 @@ fn message(cycle: u32) -> EgmRobot {
         }),
         feed_back: Some(EgmFeedBack {
             joints: Some(EgmJoints {
-                joints: vec![0.0, 10.0, 20.0, 0.0, -45.0, 5.0],
+                joints: vec![
+                    0.0,
+                    10.0,
+                    20.0,
+                    0.0,
+                    -45.0,
+                    f64::from(cycle) * ANGLE_STEP_DEG,
+                ],
             }),
             ..EgmFeedBack::default()
         }),
@@ -226,7 +243,7 @@ fn message(cycle: u32) -> EgmRobot {
             state: MotorState::MotorsOn as i32,
         }),
         mci_state: Some(EgmMciState {
-            state: MciState::Running as i32,
+            state: MciState::Stopped as i32,
         }),
         rapid_exec_state: Some(EgmRapidCtrlExecState {
             state: RapidExecState::Running as i32,

@@ -78,11 +78,6 @@ function Finished({ motion }: { motion: Reproduction }) {
       back={{ page: "run" }}
       actions={
         <>
-          {motion.state === "stopped" && (
-            <Button icon="back" busy={back.busy && t.run.planningBack} onPress={back.start}>
-              {t.run.back}
-            </Button>
-          )}
           <ButtonLink to={{ page: "setup", task }} icon="pencil">
             {t.run.otherGoal}
           </ButtonLink>
@@ -98,6 +93,11 @@ function Finished({ motion }: { motion: Reproduction }) {
       }
     >
       {problem && <ProblemNotice title={t.run.refused} problem={problem} />}
+      {motion.state === "stopped" && (
+        <Button icon="back" busy={back.busy && t.run.planningBack} onPress={back.start}>
+          {t.run.back}
+        </Button>
+      )}
       <MotionResult motion={motion} />
     </Page>
   );
