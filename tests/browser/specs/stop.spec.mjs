@@ -31,6 +31,8 @@ test("a motion is paused, goes on, is stopped, and can be led back or started ag
   await linkNamed(page, "Run it").click();
   await preview(page);
   await startMotion(page);
+  // From where it has not moved there is no way back.
+  await page.getByRole("status").getByText("Doing the motion").waitFor();
   await button(page, "Pause").click();
   await page.getByRole("status").getByText("Paused").waitFor();
   await inspect(page, "run-paused");
