@@ -25,7 +25,7 @@ pub use types::{Answer, Beginning, Counters, Hold, Received, SessionConfig};
 use crate::header::{ControllerTime, SequenceNumber};
 use crate::messages::{MciState, MotorState, RapidExecState};
 use crate::wire::{Correction, RobotFeedback};
-use live::{Complete, Live, at_rest};
+use live::{Complete, Live};
 use motion::plan::Setpoint;
 use motion::{JointAngles, JointVelocities};
 use std::net::SocketAddr;
@@ -86,6 +86,7 @@ impl Session {
         match &mut self.live {
             Some(live) if live.may_be_commanded && live.hold.is_none() => {
                 live.armed = true;
+                live.brakes_for_us = None;
                 true
             }
             _ => false,
@@ -197,7 +198,7 @@ impl Session {
         };
         live.reference = match verdict {
             Ok(setpoint) => setpoint,
-            Err(_) => at_rest(live.reference.joints),
+            Err(_) => Setpoint::at_rest(live.reference.joints),
         };
         if matches!(verdict, Err(Hold::NotFinite | Hold::Jump)) {
             live.armed = false;

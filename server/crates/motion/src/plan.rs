@@ -25,6 +25,16 @@ pub struct PlanSignal {
     pub on: bool,
 }
 
+impl Setpoint {
+    /// Standing still at `joints`.
+    pub fn at_rest(joints: JointAngles) -> Self {
+        Self {
+            joints,
+            velocities: JointVelocities::ZERO,
+        }
+    }
+}
+
 /// An approved motion: equally spaced samples, at rest at both ends.
 ///
 /// Only [`crate::gate::approve`] makes one, so that holding a `Plan` means that
@@ -118,11 +128,11 @@ impl Plan {
     pub fn at(&self, t_s: f64) -> Setpoint {
         let last = self.samples.len() - 1;
         if t_s.is_nan() || t_s <= 0.0 || last == 0 {
-            return at_rest(self.samples[0].joints);
+            return Setpoint::at_rest(self.samples[0].joints);
         }
         let position = t_s / self.period_s;
         if position >= last as f64 {
-            return at_rest(self.samples[last].joints);
+            return Setpoint::at_rest(self.samples[last].joints);
         }
         let index = position as usize;
         let u = position - index as f64;
@@ -142,13 +152,6 @@ impl Plan {
             joints: JointAngles(joints),
             velocities: JointVelocities(velocities),
         }
-    }
-}
-
-fn at_rest(joints: JointAngles) -> Setpoint {
-    Setpoint {
-        joints,
-        velocities: JointVelocities::ZERO,
     }
 }
 

@@ -9,9 +9,9 @@ use crate::rate_limit::RateLimiter;
 use crate::run::CycleRecord;
 use egm::session::{Beginning, Counters, Hold, Received, Session, SessionConfig};
 use egm::{ControllerTime, RobotFeedback, encode_correction, read_feedback};
+use motion::JointAngles;
 use motion::limits::RobotLimits;
 use motion::plan::Setpoint;
-use motion::{JointAngles, JointVelocities};
 use std::net::SocketAddr;
 use std::time::Duration;
 
@@ -175,7 +175,7 @@ impl ControlLoop {
             };
             active.player.advance(elapsed_s, &received.measured, orders)
         });
-        let wish = step.map_or_else(|| at_rest(self.rest), |step| step.setpoint);
+        let wish = step.map_or_else(|| Setpoint::at_rest(self.rest), |step| step.setpoint);
         let limited = self.limiter.limit(&wish, elapsed_s);
         let answer = self.session.answer(Some(&limited), sent_at)?;
         if let (Some(step), Some(active)) = (step, &self.active) {
@@ -321,13 +321,6 @@ impl ControlLoop {
             self.rest = reference.joints;
             self.limiter.reset(reference.joints);
         }
-    }
-}
-
-fn at_rest(joints: JointAngles) -> Setpoint {
-    Setpoint {
-        joints,
-        velocities: JointVelocities::ZERO,
     }
 }
 

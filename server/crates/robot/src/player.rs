@@ -8,7 +8,7 @@
 use motion::limits::RobotLimits;
 use motion::path_speed::{Course, PathSpeed};
 use motion::plan::{Plan, Setpoint};
-use motion::{JOINTS, JointAngles, JointVelocities, minimum_jerk};
+use motion::{JOINTS, JointAngles, minimum_jerk};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -188,7 +188,7 @@ impl Player {
         let (joint, error_deg) = largest_error(&self.commanded, measured);
         if error_deg.is_nan() || error_deg > TRACKING_LIMIT_DEG {
             return self.step(
-                at_rest(self.commanded),
+                Setpoint::at_rest(self.commanded),
                 Some(PlayerEnd::NotFollowing { joint, error_deg }),
             );
         }
@@ -301,7 +301,7 @@ impl Course for Way {
         let share = minimum_jerk::share(u);
         let slope = minimum_jerk::slope(u) / self.align_s;
         let first = self.plan.first();
-        let mut setpoint = at_rest(self.align_from);
+        let mut setpoint = Setpoint::at_rest(self.align_from);
         for joint in 0..JOINTS {
             let distance = first.0[joint] - self.align_from.0[joint];
             setpoint.joints.0[joint] += share * distance;
@@ -328,13 +328,6 @@ fn largest_error(commanded: &JointAngles, measured: &JointAngles) -> (usize, f64
         }
     }
     worst
-}
-
-fn at_rest(joints: JointAngles) -> Setpoint {
-    Setpoint {
-        joints,
-        velocities: JointVelocities::ZERO,
-    }
 }
 
 #[cfg(test)]

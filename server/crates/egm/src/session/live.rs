@@ -5,8 +5,8 @@ use super::types::{Hold, SessionConfig};
 use crate::header::SequenceNumber;
 use crate::messages::{MciState, MessageType, MotorState, RapidExecState};
 use crate::wire::RobotFeedback;
+use motion::JointAngles;
 use motion::plan::Setpoint;
-use motion::{JointAngles, JointVelocities};
 use std::net::SocketAddr;
 
 /// A session that has begun.
@@ -46,7 +46,7 @@ impl Live {
             skipped: 0,
             elapsed: Elapsed::begin(feedback),
             measured: complete.measured,
-            reference: at_rest(complete.measured),
+            reference: Setpoint::at_rest(complete.measured),
             may_be_commanded: false,
             armed: false,
             brakes_for_us: None,
@@ -164,7 +164,7 @@ impl Live {
         if !self.may_be_commanded {
             self.armed = false;
             self.brakes_for_us = None;
-            self.reference = at_rest(self.measured);
+            self.reference = Setpoint::at_rest(self.measured);
         }
     }
 
@@ -209,12 +209,5 @@ impl Complete {
         let measured = feedback.feedback.filter(JointAngles::is_finite)?;
         let sequence = feedback.sequence?;
         from_robot.then_some(Self { sequence, measured })
-    }
-}
-
-pub(super) fn at_rest(joints: JointAngles) -> Setpoint {
-    Setpoint {
-        joints,
-        velocities: JointVelocities::ZERO,
     }
 }

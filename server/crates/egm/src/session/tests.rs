@@ -53,7 +53,7 @@ fn begun() -> (Session, u64) {
 }
 
 fn near_home(offset_deg: f64) -> Setpoint {
-    at_rest(JointAngles(HOME.0.map(|angle| angle + offset_deg)))
+    Setpoint::at_rest(JointAngles(HOME.0.map(|angle| angle + offset_deg)))
 }
 
 #[test]
@@ -330,7 +330,7 @@ fn while_nothing_is_applied_the_reference_follows_the_hand() {
 
 #[test]
 fn a_setpoint_that_jumps_or_is_no_number_is_refused_and_disarms() {
-    let nan = at_rest(JointAngles([f64::NAN; 6]));
+    let nan = Setpoint::at_rest(JointAngles([f64::NAN; 6]));
     for (wish, hold) in [(near_home(5.0), Hold::Jump), (nan, Hold::NotFinite)] {
         let (mut session, at_us) = begun();
         assert!(session.arm());

@@ -169,6 +169,24 @@ fn a_stop_ends_the_run_within_its_time_and_the_next_run_is_not_affected() {
 }
 
 #[test]
+fn the_first_answer_after_a_stop_is_slower_already() {
+    let way_after = |stop: bool| {
+        let mut bench = Bench::new();
+        bench.cycle();
+        bench.arm_plan(line_plan());
+        for _ in 0..250 {
+            bench.cycle();
+        }
+        let before = bench.arm;
+        if stop {
+            bench.supervisor.flags.stop();
+        }
+        bench.cycle().max_abs_difference(&before)
+    };
+    assert!(way_after(true) < way_after(false));
+}
+
+#[test]
 fn silence_ends_the_run_and_what_comes_later_does_not_move_the_arm() {
     let mut bench = Bench::new();
     bench.cycle();

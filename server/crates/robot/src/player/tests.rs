@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::testing::{HOME, line_plan, minimum_jerk_plan};
+use motion::JointVelocities;
 
 const CYCLE_S: f64 = 0.004_032;
 const GO: Orders = Orders {
