@@ -7,7 +7,6 @@ use axum::extract::rejection::BytesRejection;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use motion::gate::Refusal;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -381,59 +380,9 @@ impl From<PlanError> for ApiError {
             _ => StatusCode::CONFLICT,
         };
         Self {
-            place: place_of(&error).map(Box::new),
+            place: error.place().map(Box::new),
             ..Self::new(status, error.code(), sentence(&error))
         }
         .advise(error.advice())
-    }
-}
-
-/// Where a motion that was refused goes wrong. Joints count from 1, as on the arm.
-fn place_of(error: &PlanError) -> Option<Value> {
-    match error {
-        PlanError::BadSpeed(_) => Some(json!({ "field": "speed" })),
-        PlanError::TargetOutsideRange {
-            which,
-            joint,
-            value_deg,
-            min_deg,
-            max_deg,
-        } => Some(json!({
-            "field": which, "joint": joint, "value_deg": value_deg,
-            "min_deg": min_deg, "max_deg": max_deg,
-        })),
-        PlanError::TurnedAway { joint, offset_deg } => Some(json!({
-            "field": "start", "joint": joint, "offset_deg": offset_deg,
-        })),
-        PlanError::Learning(error) => serde_json::to_value(error.where_()).ok(),
-        PlanError::Refused(refusal) => Some(match refusal {
-            Refusal::Malformed => json!({}),
-            Refusal::SignalMisplaced { name, at_s } => json!({ "field": name, "t_s": at_s }),
-            Refusal::NotFinite { joint, t_s } => json!({ "joint": joint + 1, "t_s": t_s }),
-            Refusal::OutsideRange {
-                joint,
-                t_s,
-                value_deg,
-                limit_deg,
-            } => json!({
-                "joint": joint + 1, "t_s": t_s, "value": value_deg, "limit": limit_deg,
-            }),
-            Refusal::KeepOut { name, t_s, tool_mm } => {
-                json!({ "keep_out": name, "t_s": t_s, "tool_mm": tool_mm })
-            }
-            Refusal::WristStretched {
-                t_s,
-                value_deg,
-                limit_deg,
-            } => json!({ "joint": 5, "t_s": t_s, "value": value_deg, "limit": limit_deg }),
-            Refusal::TooQuick(breach) => json!({
-                "joint": breach.quantity.joint().map(|joint| joint + 1),
-                "t_s": breach.t_s, "value": breach.value, "limit": breach.limit,
-            }),
-        }),
-        PlanError::PresentUnknown
-        | PlanError::JointCount(_)
-        | PlanError::NoWayBack
-        | PlanError::DoesNotSettle => None,
     }
 }

@@ -1,6 +1,7 @@
 //! Why there is no plan for a wish.
 
 use motion::{JOINTS, gate::Refusal};
+use serde_json::{Value, json};
 
 use super::SLOWEST;
 
@@ -69,6 +70,56 @@ impl PlanError {
             PlanError::DoesNotSettle => "motion_does_not_settle",
             PlanError::Learning(error) => error.code(),
             PlanError::Refused(refusal) => refusal.code(),
+        }
+    }
+
+    /// Where it goes wrong, for programs. Joints count from 1, as on the arm.
+    pub fn place(&self) -> Option<Value> {
+        match self {
+            PlanError::BadSpeed(_) => Some(json!({ "field": "speed" })),
+            PlanError::TargetOutsideRange {
+                which,
+                joint,
+                value_deg,
+                min_deg,
+                max_deg,
+            } => Some(json!({
+                "field": which, "joint": joint, "value_deg": value_deg,
+                "min_deg": min_deg, "max_deg": max_deg,
+            })),
+            PlanError::TurnedAway { joint, offset_deg } => Some(json!({
+                "field": "start", "joint": joint, "offset_deg": offset_deg,
+            })),
+            PlanError::Learning(error) => serde_json::to_value(error.where_()).ok(),
+            PlanError::Refused(refusal) => Some(match refusal {
+                Refusal::Malformed => json!({}),
+                Refusal::SignalMisplaced { name, at_s } => json!({ "field": name, "t_s": at_s }),
+                Refusal::NotFinite { joint, t_s } => json!({ "joint": joint + 1, "t_s": t_s }),
+                Refusal::OutsideRange {
+                    joint,
+                    t_s,
+                    value_deg,
+                    limit_deg,
+                } => json!({
+                    "joint": joint + 1, "t_s": t_s, "value": value_deg, "limit": limit_deg,
+                }),
+                Refusal::KeepOut { name, t_s, tool_mm } => {
+                    json!({ "keep_out": name, "t_s": t_s, "tool_mm": tool_mm })
+                }
+                Refusal::WristStretched {
+                    t_s,
+                    value_deg,
+                    limit_deg,
+                } => json!({ "joint": 5, "t_s": t_s, "value": value_deg, "limit": limit_deg }),
+                Refusal::TooQuick(breach) => json!({
+                    "joint": breach.quantity.joint().map(|joint| joint + 1),
+                    "t_s": breach.t_s, "value": breach.value, "limit": breach.limit,
+                }),
+            }),
+            PlanError::PresentUnknown
+            | PlanError::JointCount(_)
+            | PlanError::NoWayBack
+            | PlanError::DoesNotSettle => None,
         }
     }
 
