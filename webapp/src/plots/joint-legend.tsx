@@ -1,7 +1,9 @@
 // Six joints in one drawing: told apart by colour and by the pattern of their lines.
+import type uPlot from "uplot";
 import { t } from "../texts";
+import { colour } from "./colours";
 
-export const JOINT_DASHES: number[][] = [[], [8, 4], [2, 3], [], [8, 4], [2, 3]];
+const JOINT_DASHES: number[][] = [[], [8, 4], [2, 3], [], [8, 4], [2, 3]];
 
 export function JointLegend() {
   return (
@@ -14,4 +16,15 @@ export function JointLegend() {
       ))}
     </p>
   );
+}
+
+/** The line of each joint, after the times. */
+export function jointSeries(): uPlot.Series[] {
+  const lines = JOINT_DASHES.map((dash, joint) => ({
+    stroke: colour(`joint-${joint + 1}`),
+    width: 2,
+    dash,
+    points: { show: false },
+  }));
+  return [{}, ...lines];
 }

@@ -7,7 +7,7 @@ import { JointRing } from "../live/ring-buffer";
 import { t } from "../texts";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
-import { JOINT_DASHES, JointLegend } from "./joint-legend";
+import { JointLegend, jointSeries } from "./joint-legend";
 
 const WINDOW_S = 10;
 const EMPTY: uPlot.AlignedData = new JointRing(1).window(0);
@@ -47,15 +47,7 @@ function options(): Omit<uPlot.Options, "width" | "height"> {
     ...PLAIN,
     padding: [6, 18, 0, 0],
     scales: { x: { time: false, range: () => [-WINDOW_S, 0] } },
-    series: [
-      {},
-      ...JOINT_DASHES.map((dash, joint) => ({
-        stroke: colour(`joint-${joint + 1}`),
-        width: 2,
-        dash,
-        points: { show: false },
-      })),
-    ],
+    series: jointSeries(),
     axes: [
       {
         ...axis,

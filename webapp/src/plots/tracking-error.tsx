@@ -7,7 +7,7 @@ import { t } from "../texts";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
 import { drawLine, useCursor } from "./cursor";
-import { JOINT_DASHES, JointLegend } from "./joint-legend";
+import { JointLegend, jointSeries } from "./joint-legend";
 
 interface Props {
   timesS: number[];
@@ -44,15 +44,7 @@ function options(marksS: readonly number[], cursor: ReadonlySignal<number>) {
     padding: [6, 8, 0, 0],
     // Half a degree at least, so that noise does not look large.
     scales: { x: { time: false }, y: { range: (_, __, high) => [0, Math.max(0.5, high * 1.1)] } },
-    series: [
-      {},
-      ...JOINT_DASHES.map((dash, joint) => ({
-        stroke: colour(`joint-${joint + 1}`),
-        width: 2,
-        dash,
-        points: { show: false },
-      })),
-    ],
+    series: jointSeries(),
     axes: [
       { ...axis, size: 24, gap: 2, space: 44, grid },
       { ...axis, size: 48, gap: 4, space: 32, grid },
