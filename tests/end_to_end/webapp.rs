@@ -88,17 +88,34 @@ async fn the_pages_do_the_main_job_on_a_phone() {
     let _turn = alone().await;
     let data = Folder::new(SCRATCH, "browser");
     let server = Process::start(PROGRAM, data.path(), &[]).await;
+    let cell_data = Folder::new(SCRATCH, "browser-cell");
+    let cell = two_arms(&cell_data).await;
     let network_data = Folder::new(SCRATCH, "browser-pairing");
     let network = on_the_network(&network_data).await;
     idle_arm(&server.client()).await;
-    let (arm, phones) = (server.client(), network.client());
+    let (arm, phones, arms) = (server.client(), network.client(), cell.client());
     let code = pairing_code(&network).await;
     let environment = [
         ("BASE_URL", arm.base()),
         ("PAIRING_URL", phones.base()),
         ("PAIRING_CODE", &code),
+        ("CELL_URL", arms.base()),
     ];
     npm(&browser, &["run", "browser"], &environment).await;
     server.terminate().await;
+    cell.terminate().await;
     network.terminate().await;
+}
+
+/// A server with the two virtual arms that the specs know.
+async fn two_arms(data: &Folder) -> Process {
+    let robots = [("left", "Left arm"), ("right", "Right arm")]
+        .map(|(id, name)| {
+            format!("[[robot]]\nid = \"{id}\"\nname = \"{name}\"\nkind = \"virtual\"\n")
+        })
+        .concat();
+    let file = data.path().join("cell.toml");
+    std::fs::write(&file, robots).expect("the configuration file can be written");
+    let file = file.to_str().expect("a plain path");
+    Process::start(PROGRAM, data.path(), &["--config", file]).await
 }
