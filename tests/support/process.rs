@@ -37,8 +37,12 @@ impl Process {
     pub async fn start_on(program: &str, listen: &str, data: &Path, more: &[&str]) -> Self {
         let mut command = Command::new(program);
         command
-            .args(["serve", "--listen", listen, "--egm-port", "0", "--data"])
+            .args(["serve", "--listen", listen, "--data"])
             .arg(data);
+        // A configuration file says itself where each robot is awaited.
+        if !more.contains(&"--config") {
+            command.args(["--egm-port", "0"]);
+        }
         command
             .args(more)
             .stdin(Stdio::null())
