@@ -35,6 +35,7 @@ test("a motion is paused, goes on, is stopped, and can be led back or started ag
   await page.getByRole("status").getByText("Doing the motion").waitFor();
   await button(page, "Pause").click();
   await page.getByRole("status").getByText("Paused").waitFor();
+  await heading(page, "The arm waits on its way").waitFor();
   await inspect(page, "run-paused");
   await button(page, "Go on").click();
   await button(page, "Slower").click();

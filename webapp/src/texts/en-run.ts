@@ -65,6 +65,7 @@ export const run = {
   back: "Back to the start",
   planningBack: "Working out the way back…",
   moving: "The arm is moving",
+  waiting: "The arm waits on its way",
   progress: "Progress of the motion",
   of: (done: string, total: string) => `${done} of ${total}`,
   states: {

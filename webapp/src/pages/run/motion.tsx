@@ -41,7 +41,7 @@ function Moving({ motion }: { motion: string }) {
   const times = run ? t.run.of(duration(run.t_s), duration(run.duration_s)) : "";
   return (
     <Page
-      title={t.run.moving}
+      title={run?.phase === "paused" ? t.run.waiting : t.run.moving}
       actions={run && <Pace motion={motion} speed={run.speed} paused={run.paused} />}
     >
       <OfflineNotice />
