@@ -20,6 +20,8 @@ const SHORTEST_US: u64 = 2_000;
 const LONGEST_US: u64 = 30_000;
 /// Share of a new period in the usual one: 1/8.
 const MEMORY: u64 = 8;
+/// From so many messages on the usual period is known, and only what fits it is learned.
+const KNOWN_AFTER: u32 = 64;
 /// How far a time may be from what the number of messages says: 30 % and 1 ms, for clocks that
 /// count in milliseconds.
 const SLACK_PERCENT: u64 = 30;
@@ -33,6 +35,7 @@ pub(super) struct Elapsed {
     allowance_us: u64,
     pending_us: u64,
     period_us: u64,
+    learned: u32,
 }
 
 impl Elapsed {
@@ -43,6 +46,7 @@ impl Elapsed {
             allowance_us: ALLOWANCE_US,
             pending_us: 0,
             period_us: NOMINAL_US,
+            learned: 0,
         }
     }
 
@@ -85,16 +89,16 @@ impl Elapsed {
     /// What the clock claims when it fits the number of messages, else their usual period.
     fn plausible(&mut self, claimed_us: u64, steps: u64) -> u64 {
         let expected_us = steps.saturating_mul(self.period_us);
-        if let Some(period_us) = claimed_us.checked_div(steps) {
+        let slack_us = expected_us.saturating_mul(SLACK_PERCENT) / 100 + SLACK_US;
+        let fits = claimed_us.abs_diff(expected_us) <= slack_us;
+        if let Some(period_us) = claimed_us.checked_div(steps)
+            && (fits || self.learned < KNOWN_AFTER)
+        {
             let period_us = period_us.clamp(SHORTEST_US, LONGEST_US);
             self.period_us = (self.period_us * (MEMORY - 1) + period_us) / MEMORY;
+            self.learned += u32::from(self.learned < KNOWN_AFTER);
         }
-        let slack_us = expected_us.saturating_mul(SLACK_PERCENT) / 100 + SLACK_US;
-        if claimed_us.abs_diff(expected_us) <= slack_us {
-            claimed_us
-        } else {
-            expected_us
-        }
+        if fits { claimed_us } else { expected_us }
     }
 
     fn by_clock(&self, feedback: &RobotFeedback) -> Option<u64> {

@@ -51,7 +51,7 @@ impl Observer {
             Some((controller, last, at_us)) => {
                 let steps = number - last;
                 // About half a cycle later it may be either a copy or a cycle of its own.
-                let copy = steps == 0 && datagram.at_us < at_us + 2_300;
+                let copy = steps == 0 && datagram.at_us < at_us + 2_600;
                 controller == datagram.controller
                     && (copy || (1..=1 + i64::from(LOST_TOLERATED)).contains(&steps))
                     && datagram.at_us < at_us + 100_000
