@@ -1,7 +1,7 @@
-// Unit tests of the parts that need no server. Those that draw ask for a simulated browser with
-// `@vitest-environment happy-dom` in their first line.
+// Unit tests of the parts that need no server, in a simulated browser: the words follow the
+// phone's language, and most of the app has words.
 import { defineConfig } from "vitest/config";
 
 export default defineConfig({
-  test: { environment: "node", include: ["src/**/*.test.{ts,tsx}"] },
+  test: { environment: "happy-dom", include: ["src/**/*.test.{ts,tsx}"] },
 });

@@ -1,4 +1,3 @@
-// @vitest-environment happy-dom
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { RobotView } from "../api/types";
 import { chooseRobot, isOurs, loadRobots, robotId } from "./robots";

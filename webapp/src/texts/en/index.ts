@@ -1,10 +1,10 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
-import { flight } from "./en-flight";
-import { robot } from "./en-robot";
-import { robots } from "./en-robots";
-import { run } from "./en-run";
-import { signals } from "./en-signals";
-import { teach } from "./en-teach";
+import { flight } from "./flight";
+import { robot } from "./robot";
+import { robots } from "./robots";
+import { run } from "./run";
+import { signals } from "./signals";
+import { teach } from "./teach";
 
 export const en = {
   flight,
