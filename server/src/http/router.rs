@@ -12,8 +12,8 @@ use utoipa_axum::routes;
 
 use super::state::AppState;
 use super::{
-    agreement, assets, auth, demonstrations, flights, headers, health, jobs, live, models, plans,
-    reproductions, robot, run_control, session, signals, tasks,
+    agreement, assets, auth, demonstrations, flights, headers, health, jobs, join, live, models,
+    plans, reproductions, robot, run_control, session, signals, tasks,
 };
 
 /// Requests are small; only recorded files are not.
@@ -37,6 +37,7 @@ pub fn router(state: AppState) -> Router {
         .layer(DefaultBodyLimit::max(BODY_BYTES));
     Router::new()
         .nest("/api/v1", api)
+        .route(join::CERTIFICATE, get(join::certificate))
         .fallback(assets::serve)
         .layer(middleware::from_fn_with_state(state.clone(), auth::guard))
         .layer(CatchPanicLayer::custom(headers::panicked))
@@ -52,6 +53,8 @@ fn api() -> OpenApiRouter<AppState> {
     OpenApiRouter::with_openapi(described())
         .routes(routes!(health::show))
         .routes(routes!(session::show, session::pair))
+        .routes(routes!(join::show))
+        .routes(routes!(join::picture))
         .routes(routes!(tasks::list, tasks::create))
         .routes(routes!(tasks::show, tasks::rename, tasks::delete))
         .routes(routes!(demonstrations::list, demonstrations::record))
