@@ -6,7 +6,9 @@ import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
+import { OfflinePage } from "./pages/offline";
 import { PairingPage } from "./pages/pairing";
+import { JoinPage } from "./pages/phones/join";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
 import { PreviewPage } from "./pages/run/preview";
@@ -21,7 +23,7 @@ import { TaskPage } from "./pages/teach/task";
 import { TeachPage } from "./pages/teach/teach";
 import { link, type Route } from "./router";
 import { useLoad } from "./state/hooks";
-import { startLive } from "./state/live";
+import { showLastKnown, startLive } from "./state/live";
 import { route, type Target } from "./state/navigation";
 import { robotId } from "./state/robots";
 import { beginSession, mustPair, session } from "./state/session";
@@ -35,14 +37,25 @@ export function App() {
   useEffect(() => {
     if (ready) startLive(robot);
   }, [ready, robot]);
+  // The server did not answer at all: what a phone knows by itself is better than nothing.
+  const alone = session.value === null && load.problem?.code === "unreachable";
+  useEffect(() => {
+    if (alone) showLastKnown();
+  }, [alone]);
+  // A phone that is not paired yet is set up on this page.
+  const joining = session.value !== null && route.value.page === "join";
   return (
     <div class="frame">
       <header>
         <RobotBar />
         {ready && <Sections />}
       </header>
-      {ready ? (
+      {alone ? (
+        <OfflinePage load={load} />
+      ) : ready ? (
         <Screen route={route.value} />
+      ) : joining ? (
+        <JoinPage key="join" />
       ) : open ? (
         <RobotsPage />
       ) : mustPair.value ? (
@@ -94,6 +107,8 @@ function Screen({ route }: { route: Route }) {
       return <ModelPage key={route.model} task={route.task} model={route.model} />;
     case "robots":
       return <RobotsPage key="robots" />;
+    case "join":
+      return <JoinPage key="join" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

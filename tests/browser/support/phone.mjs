@@ -16,16 +16,20 @@ export const USUAL = { width: 390, height: 844 };
 
 /** Opens a browser for one spec file; `close` it in `after`. The package's own arguments are meant
  *  for a cloud function: one process for everything, and no web security. We want neither. */
-export async function openBrowser() {
+export async function openBrowser(more = []) {
   return chromium.launch({
-    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
+    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", ...more],
     executablePath: await sparticuz.executablePath(),
     headless: true,
   });
 }
 
-/** A fresh phone without history. Errors in the page make the test fail at `hangUp`. */
-export async function newPhone(browser, { viewport = USUAL, colorScheme = "light" } = {}) {
+/** A fresh phone without history. Errors in the page make the test fail at `hangUp`. It keeps the
+ *  app for a start without the server only when told to, since requests could not be watched then. */
+export async function newPhone(
+  browser,
+  { viewport = USUAL, colorScheme = "light", keepsApp = false } = {},
+) {
   const context = await browser.newContext({
     viewport,
     colorScheme,
@@ -33,6 +37,7 @@ export async function newPhone(browser, { viewport = USUAL, colorScheme = "light
     hasTouch: true,
     isMobile: true,
     locale: "en-GB",
+    serviceWorkers: keepsApp ? "allow" : "block",
   });
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();

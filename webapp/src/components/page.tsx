@@ -6,6 +6,7 @@ import type { Target } from "../state/navigation";
 import { t } from "../texts";
 import { FaultNotice } from "./fault-notice";
 import { Icon } from "./icon";
+import { UpdateNotice } from "./update-notice";
 
 interface Props {
   title: string;
@@ -22,6 +23,7 @@ export function Page({ title, back, actions, children }: Props) {
     <>
       <main class="page">
         <FaultNotice />
+        <UpdateNotice />
         <div class="page-head">
           {back && (
             <a class="back" href={link(back)} aria-label={t.app.back}>

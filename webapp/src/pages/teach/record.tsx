@@ -16,6 +16,8 @@ import { connection, isVirtual, robot, robotState } from "../../state/live";
 import { go } from "../../state/navigation";
 import { whyNotReady } from "../../state/robot-status";
 import { robotId } from "../../state/robots";
+import { useCountInTicks } from "../../state/signals-to-hand";
+import { useWakeLock } from "../../state/wake-lock";
 import { t } from "../../texts";
 
 const COUNT_FROM = 3;
@@ -46,6 +48,8 @@ export function RecordPage({ task }: { task: string }) {
     return () => clearTimeout(next);
   }, [count.value]);
 
+  useWakeLock(count.value !== null || record.busy);
+  useCountInTicks(count.value);
   if (count.value !== null)
     return <CountIn count={count.value} onCancel={() => (count.value = null)} />;
   return (

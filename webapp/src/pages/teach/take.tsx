@@ -7,6 +7,7 @@ import { Page } from "../../components/page";
 import { demonstrations, loadDemonstration } from "../../state/entities";
 import { useAction, useLoad } from "../../state/hooks";
 import { go } from "../../state/navigation";
+import { useWakeLock } from "../../state/wake-lock";
 import { t } from "../../texts";
 import { RecordingView } from "./recording-view";
 import { ReviewView } from "./review-view";
@@ -26,6 +27,7 @@ export function TakePage({ task, take: id }: { task: string; take: string }) {
 }
 
 function OpenTake({ take }: { take: Demonstration }) {
+  useWakeLock(true);
   const stop = useAction(async () => demonstrations.put(await closeDemonstration(take.id, "stop")));
   return (
     <Page

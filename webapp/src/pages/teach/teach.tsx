@@ -3,6 +3,7 @@ import { ButtonLink } from "../../components/button";
 import { LoadNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { OpenWork } from "../../components/open-work";
+import { PhoneCorner } from "../../components/phone-corner";
 import { loadOverview, tasks } from "../../state/entities";
 import { useLoad } from "../../state/hooks";
 import { t } from "../../texts";
@@ -29,6 +30,7 @@ export function TeachPage() {
           <TaskRow key={task.id} task={task} />
         ))}
       </ul>
+      <PhoneCorner />
     </Page>
   );
 }
