@@ -1,5 +1,5 @@
-// Every German word the app shows, grouped by screen, with the formal Sie. Words with ß are gone
-// round: in Switzerland nobody writes it.
+// Every German word the app shows, grouped by screen, with the formal Sie. The ß stands as in
+// Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
 import { flight } from "./flight";
 import { robot } from "./robot";
@@ -75,9 +75,9 @@ export const de: Texts = {
   units: {
     degrees: (value: string) => `${value}°`,
     below: (value: string) => `unter ${value}`,
-    millimetres: (value: string) => `${value} mm`,
-    seconds: (value: string) => `${value} s`,
-    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds} min`,
-    percent: (value: string) => `${value} %`,
+    millimetres: (value: string) => `${value}\u00a0mm`,
+    seconds: (value: string) => `${value}\u00a0s`,
+    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds}\u00a0min`,
+    percent: (value: string) => `${value}\u00a0%`,
   },
 };

@@ -140,7 +140,7 @@ export const teach: Texts["teach"] = {
     missedMean: "Werkzeug neben der gezeigten Bahn, im Mittel",
     missedMax: "Werkzeug neben der gezeigten Bahn, höchstens",
     mutual: "Abstand der Aufnahmen im Mittel",
-    k: "Gauss-Verteilungen (k)",
+    k: "Gauß-Verteilungen (k)",
     alpha_z: "Feder (alpha_z)",
     n_basis: "Basisfunktionen (N)",
     objective: "Zielfunktion",

@@ -39,7 +39,7 @@ export const it: Texts = {
       take: (value: string) => `esempio ${value}`,
       row: (value: string) => `riga ${value}`,
       joint: (value: string) => `asse ${value}`,
-      t_s: (value: string) => `dopo ${value} s`,
+      t_s: (value: string) => `dopo ${value}\u00a0s`,
     },
   },
   stop: {
@@ -74,9 +74,9 @@ export const it: Texts = {
   units: {
     degrees: (value: string) => `${value}°`,
     below: (value: string) => `meno di ${value}`,
-    millimetres: (value: string) => `${value} mm`,
-    seconds: (value: string) => `${value} s`,
-    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds} min`,
+    millimetres: (value: string) => `${value}\u00a0mm`,
+    seconds: (value: string) => `${value}\u00a0s`,
+    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds}\u00a0min`,
     percent: (value: string) => `${value}%`,
   },
 };
