@@ -2,6 +2,7 @@
 // Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -10,6 +11,7 @@ import { teach } from "./teach";
 
 export const de: Texts = {
   flight,
+  language,
   robot,
   robots,
   run,

@@ -128,7 +128,7 @@ export const teach: Texts["teach"] = {
   trained: "Der Arm hat die Bewegung gelernt",
   trainingFailed: "Das Training ist nicht gelungen",
   trainingCancelled: "Das Training wurde abgebrochen. Alle Aufnahmen sind noch da.",
-  backToTakes: "Zurück zu den Aufnahmen",
+  backToTakes: "Zu den Aufnahmen",
   runIt: "Ausführen",
   allFigures: "Alle Werte",
   bandPlot: "Gelernte Bewegung mit ihrer Streuung",

@@ -2,6 +2,7 @@
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -10,6 +11,7 @@ import { teach } from "./teach";
 
 export const it: Texts = {
   flight,
+  language,
   robot,
   robots,
   run,
