@@ -83,9 +83,9 @@ test("a phone that is not connected yet can be read too", { skip: !PAIRING_URL }
   await openApp(page, "#/teach", PAIRING_URL);
   await heading(page, "Connect this phone").waitFor();
   for (const [now, name, code, title] of [
-    ["Language: English", "Deutsch", "de", "Dieses Telefon verbinden"],
-    ["Sprache: Deutsch", "Français", "fr", "Connecter ce téléphone"],
-    ["Langue\u00a0: Français", "Italiano", "it", "Collegare questo telefono"],
+    ["Language: English", "Deutsch", "de", "Telefon verbinden"],
+    ["Sprache: Deutsch", "Français", "fr", "Connecter le téléphone"],
+    ["Langue\u00a0: Français", "Italiano", "it", "Collega il telefono"],
   ]) {
     await linkNamed(page, now).click();
     await languages(page).waitFor();

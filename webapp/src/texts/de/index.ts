@@ -52,7 +52,7 @@ export const de: Texts = {
     failed: "Stopp ist vielleicht nicht angekommen. Drücken Sie den Not-Halt des Roboters.",
   },
   pairing: {
-    title: "Dieses Telefon verbinden",
+    title: "Telefon verbinden",
     explain: "Tippen Sie den Code ein, den der Bildschirm des TEAM-Rechners zeigt.",
     code: "Code",
     connect: "Verbinden",

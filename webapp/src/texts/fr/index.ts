@@ -51,7 +51,7 @@ export const fr: Texts = {
     failed: "L'ordre d'arrêt n'est peut-être pas passé. Utilisez l'arrêt d'urgence du robot.",
   },
   pairing: {
-    title: "Connecter ce téléphone",
+    title: "Connecter le téléphone",
     explain: "Tapez le code affiché sur l'écran de l'ordinateur TEAM.",
     code: "Code",
     connect: "Connecter",

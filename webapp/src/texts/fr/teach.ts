@@ -128,7 +128,7 @@ export const teach: Texts["teach"] = {
   trained: "Le bras a appris le mouvement",
   trainingFailed: "L'entraînement n'a pas réussi",
   trainingCancelled: "L'entraînement a été annulé. Tous les exemples sont encore là.",
-  backToTakes: "Retour aux exemples",
+  backToTakes: "Voir les exemples",
   runIt: "Exécuter",
   allFigures: "Toutes les valeurs",
   bandPlot: "Mouvement appris et sa dispersion",

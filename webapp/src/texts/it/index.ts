@@ -51,7 +51,7 @@ export const it: Texts = {
     failed: "Il comando di arresto forse non è arrivato. Usi l'arresto di emergenza del robot.",
   },
   pairing: {
-    title: "Collegare questo telefono",
+    title: "Collega il telefono",
     explain: "Scriva il codice che compare sullo schermo del computer TEAM.",
     code: "Codice",
     connect: "Collega",
