@@ -24,7 +24,7 @@ export const run: Texts["run"] = {
   presentMissing: "Der Roboter meldet seine Stellung nicht.",
   joint: (number: number) => `Achse ${number} in Grad`,
   range: (lowest: string, highest: string) => `${lowest} bis ${highest}`,
-  notNumber: "Tippen Sie eine Zahl, zum Beispiel 12,5",
+  notNumber: (example: string) => `Tippen Sie eine Zahl, zum Beispiel ${example}`,
   outOfRange: (lowest: string, highest: string) => `Erlaubt ist ${lowest} bis ${highest}`,
   speed: "Wie schnell?",
   speeds: { "0.25": "Langsam", "0.5": "Halb", "1": "Voll" },

@@ -24,7 +24,7 @@ export const run: Texts["run"] = {
   presentMissing: "Le robot ne donne pas sa position.",
   joint: (number: number) => `Axe ${number} en degrés`,
   range: (lowest: string, highest: string) => `de ${lowest} à ${highest}`,
-  notNumber: "Tapez un nombre, par exemple 12,5",
+  notNumber: (example: string) => `Tapez un nombre, par exemple ${example}`,
   outOfRange: (lowest: string, highest: string) => `Permis : de ${lowest} à ${highest}`,
   speed: "À quelle vitesse ?",
   speeds: { "0.25": "Lente", "0.5": "Moitié", "1": "Pleine" },

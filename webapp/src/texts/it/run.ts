@@ -24,7 +24,7 @@ export const run: Texts["run"] = {
   presentMissing: "Il robot non comunica la sua posizione.",
   joint: (number: number) => `Asse ${number} in gradi`,
   range: (lowest: string, highest: string) => `da ${lowest} a ${highest}`,
-  notNumber: "Scriva un numero, per esempio 12,5",
+  notNumber: (example: string) => `Scriva un numero, per esempio ${example}`,
   outOfRange: (lowest: string, highest: string) => `Ammesso: da ${lowest} a ${highest}`,
   speed: "A che velocità?",
   speeds: { "0.25": "Lenta", "0.5": "Metà", "1": "Piena" },
