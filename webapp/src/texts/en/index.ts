@@ -1,4 +1,5 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
 import { robot } from "./robot";
@@ -8,7 +9,9 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const en = {
+  control,
   flight,
+  hold,
   language,
   robot,
   robots,

@@ -1,6 +1,7 @@
 // Every Italian word the app shows, grouped by screen, with the formal Lei: instructions in the
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
 import { robot } from "./robot";
@@ -10,7 +11,9 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const it: Texts = {
+  control,
   flight,
+  hold,
   language,
   robot,
   robots,
