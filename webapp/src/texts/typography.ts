@@ -4,15 +4,21 @@ type Setter = (text: string) => string;
 
 const plain: Setter = (text) => text;
 
+/** The sign that stands for a vowel left out: "l'axe", "un po' diverso". */
+const apostrophes: Setter = (text) => text.replace(/(\p{L})'/gu, "$1’");
+
 /** Before high signs French has a space, and no line may end there: a narrow one but for ":". */
 const french: Setter = (text) =>
-  text.replace(/ ([;?!])/g, "\u202f$1").replace(/ (:)(?=\s|$)/g, "\u00a0$1");
+  apostrophes(text)
+    .replace(/ ([;?!])/g, "\u202f$1")
+    .replace(/ (:)(?=\s|$)/g, "\u00a0$1");
 
 const swissGerman: Setter = (text) => text.replaceAll("ß", "ss");
 
 export function typesetter(locale: string): Setter {
   const [language, country] = locale.toLowerCase().split("-");
   if (language === "fr") return french;
+  if (language === "it") return apostrophes;
   if (language === "de" && (country === "ch" || country === "li")) return swissGerman;
   return plain;
 }
