@@ -32,6 +32,6 @@ export const hold: Texts["hold"] = {
   button: "Zum Bewegen halten",
   holding: "Fährt – zum Anhalten loslassen",
   waits: "Der Arm wartet auf Sie",
-  keepClear: "Halten Sie Abstand. Der Arm bewegt sich, solange Sie die Taste halten.",
+  keepClear: "Halten Sie Abstand: Der Arm bewegt sich, solange Sie drücken.",
   keys: "Mit der Tastatur: Halten Sie die Leertaste.",
 };

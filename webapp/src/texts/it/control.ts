@@ -32,6 +32,6 @@ export const hold: Texts["hold"] = {
   button: "Tieni premuto per muovere",
   holding: "In movimento – lasci per fermare",
   waits: "Il braccio La aspetta",
-  keepClear: "Si tenga a distanza. Il braccio si muove finché tiene premuto.",
+  keepClear: "Stia a distanza: il braccio si muove finché preme.",
   keys: "Con la tastiera: tenga premuta la barra spaziatrice.",
 };
