@@ -7,10 +7,13 @@ test("French signs are not torn from their word", () => {
   expect(set("Exemples gardés : 2 sur 3")).toBe("Exemples gardés\u00a0: 2 sur 3");
   expect(set("Attention ! Oui ; non")).toBe("Attention\u202f! Oui\u202f; non");
   expect(set("l'axe s'arrête")).toBe("l’axe s’arrête");
+  expect(set("« Fin »")).toBe("«\u00a0Fin\u00a0»");
   expect(set("1:05 min")).toBe("1:05 min");
 });
 
-test("Swiss phones read ss, those of Germany ß", () => {
+test("Swiss phones read ss and their quotes, those of Germany ß and theirs", () => {
+  expect(typesetter("de-CH")("„Ende“ löschen")).toBe("«Ende» löschen");
+  expect(typesetter("de-DE")("„Ende“ löschen")).toBe("„Ende“ löschen");
   expect(typesetter("de-CH")("Größe")).toBe("Grösse");
   expect(typesetter("de-DE")("Größe")).toBe("Größe");
   expect(typesetter("de")("Größe")).toBe("Größe");
