@@ -5,6 +5,7 @@ import { stopAllRobots, stopRobot } from "../api/endpoints";
 import type { ConnectionState } from "../live/connection";
 import { JointRing } from "../live/ring-buffer";
 import { LiveSocket } from "../live/socket";
+import { inOurWords } from "../words";
 import { demonstrations, jobs, models, reproductions } from "./entities";
 import { robotId } from "./robots";
 
@@ -38,7 +39,7 @@ export function startLive(id: string): void {
     const scheme = location.protocol === "https:" ? "wss:" : "ws:";
     socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live?robot=${id}`, {
       state: (state) => (connection.value = state),
-      message: receive,
+      message: (message) => receive(inOurWords(message)),
     });
     watched = id;
   }
