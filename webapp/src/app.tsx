@@ -1,11 +1,13 @@
 // The frame around every screen: robot state and sections on top, Stop at the bottom.
 import { useEffect } from "preact/hooks";
 import { ButtonLink } from "./components/button";
+import { ControlStrip } from "./components/control-strip";
 import { Icon, type IconName } from "./components/icon";
 import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
+import { LanguagePage } from "./pages/language";
 import { PairingPage } from "./pages/pairing";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
@@ -39,16 +41,17 @@ export function App() {
     <div class="frame">
       <header>
         <RobotBar />
+        {ready && <ControlStrip />}
         {ready && <Sections />}
       </header>
-      {ready ? (
+      {ready || route.value.page === "language" ? (
         <Screen route={route.value} />
       ) : open ? (
         <RobotsPage />
       ) : mustPair.value ? (
         <PairingPage problem={load.problem} />
       ) : (
-        <Page title={t.app.name}>
+        <Page title={t.app.name} first>
           <LoadNotice load={load} empty />
         </Page>
       )}
@@ -60,7 +63,8 @@ export function App() {
 function Sections() {
   const run: ReadonlySet<Route["page"]> = new Set(["run", "setup", "preview", "motion"]);
   const { page: shown } = route.value;
-  const here = shown === "robots" ? "robots" : run.has(shown) ? "run" : "teach";
+  const here =
+    shown === "robots" || shown === "language" ? shown : run.has(shown) ? "run" : "teach";
   const tab = (page: "teach" | "run", icon: IconName) => (
     <a href={link({ page } as Target)} aria-current={here === page ? "page" : undefined}>
       <Icon name={icon} />
@@ -94,6 +98,8 @@ function Screen({ route }: { route: Route }) {
       return <ModelPage key={route.model} task={route.task} model={route.model} />;
     case "robots":
       return <RobotsPage key="robots" />;
+    case "language":
+      return <LanguagePage key="language" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

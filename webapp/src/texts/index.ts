@@ -8,6 +8,7 @@ import {
   rememberLanguage,
   type Language,
 } from "./language";
+import { setAll, typesetter } from "./typography";
 
 export type Texts = typeof en;
 
@@ -36,10 +37,13 @@ const [loadedLanguage, words] = await load(wanted);
 
 export const language = loadedLanguage;
 
-export const t: Texts = words;
-
 /** The language as this phone's country writes it: "de-CH" has another decimal sign than "de". */
 export const locale = regionalForm(language, navigator.languages ?? []);
+
+/** Sets a text as this language's readers expect; what `t` has is set already. */
+export const typeset = typesetter(locale);
+
+export const t: Texts = setAll(words, typeset);
 
 document.documentElement.lang = language;
 

@@ -8,6 +8,7 @@ const catalogue = new Catalogue(
     Agrees: "Stimmt überein",
     "Not found": "Nicht gefunden",
     "Virtual robot": "Virtueller Roboter",
+    "Another phone": "Ein anderes Telefon",
     Gripper: "Greifer",
     open: "aufmachen",
     close: "zumachen",
@@ -57,6 +58,14 @@ describe("an answer", () => {
       name: "Virtueller Roboter",
       egm: {},
       signals: [{ ...gripper, label: "Greifer", on: "zumachen", off: "aufmachen" }],
+    });
+  });
+
+  it("says what it calls a phone without a name, and no other", () => {
+    const maria = { id: "2", name: "Marias Telefon" };
+    expect(said({ phone: { id: "1", name: "Another phone" }, asked_by: maria })).toEqual({
+      phone: { id: "1", name: "Ein anderes Telefon" },
+      asked_by: maria,
     });
   });
 

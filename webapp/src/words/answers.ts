@@ -18,11 +18,13 @@ const SENTENCES = new Set([
   "words",
 ]);
 
-/** What the server calls a signal and a robot that nobody gave a name. */
+/** What the server calls a signal, a robot and a phone that nobody gave a name: by a member of
+ *  theirs, or by the member that holds them. */
 const CALLED: [of: string, members: string[]][] = [
   ["off", ["label", "on", "off"]],
   ["egm", ["name"]],
 ];
+const PHONES = ["phone", "asked_by"];
 
 /** Changes the answer where it stands: it has just been read and nobody else has it. */
 export function sayAnswer(answer: unknown, catalogue: Catalogue): void {
@@ -38,11 +40,19 @@ export function sayAnswer(answer: unknown, catalogue: Catalogue): void {
     if (!SENTENCES.has(name)) sayAnswer(value, catalogue);
     else members[name] = said(value, catalogue);
   }
+  for (const phone of PHONES.map((name) => members[name]).filter(isPhone)) {
+    phone["name"] = said(phone["name"], catalogue);
+  }
   for (const [of, called] of CALLED) {
     if (of in members) {
       for (const name of called) members[name] = said(members[name], catalogue, true);
     }
   }
+}
+
+/** As answers hold them: an identifier and a name. */
+function isPhone(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null && "name" in value;
 }
 
 function said(value: unknown, catalogue: Catalogue, anyWord = false): unknown {

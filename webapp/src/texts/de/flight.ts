@@ -16,9 +16,9 @@ export const flight: Texts["flight"] = {
   },
   jointsAt: "Achswinkel zu dieser Zeit",
   joint: "Achse",
-  planned: "Geplant",
-  measured: "Gemessen",
-  off: "Daneben",
+  planned: "Soll",
+  measured: "Ist",
+  off: "Abweichung",
   errorPlot: "Abweichung vom Plan, in Grad",
   errorSummary: (joint: number, most: string) =>
     `Abweichung vom Plan: Achse ${joint} am meisten, höchstens ${most}.`,

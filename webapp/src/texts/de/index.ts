@@ -1,7 +1,9 @@
-// Every German word the app shows, grouped by screen, with the formal Sie. Words with ß are gone
-// round: in Switzerland nobody writes it.
+// Every German word the app shows, grouped by screen, with the formal Sie. The ß stands as in
+// Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -9,7 +11,10 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const de: Texts = {
+  control,
   flight,
+  hold,
+  language,
   robot,
   robots,
   run,
@@ -50,7 +55,7 @@ export const de: Texts = {
     failed: "Stopp ist vielleicht nicht angekommen. Drücken Sie den Not-Halt des Roboters.",
   },
   pairing: {
-    title: "Dieses Telefon verbinden",
+    title: "Telefon verbinden",
     explain: "Tippen Sie den Code ein, den der Bildschirm des TEAM-Rechners zeigt.",
     code: "Code",
     connect: "Verbinden",
@@ -75,9 +80,9 @@ export const de: Texts = {
   units: {
     degrees: (value: string) => `${value}°`,
     below: (value: string) => `unter ${value}`,
-    millimetres: (value: string) => `${value} mm`,
-    seconds: (value: string) => `${value} s`,
-    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds} min`,
-    percent: (value: string) => `${value} %`,
+    millimetres: (value: string) => `${value}\u00a0mm`,
+    seconds: (value: string) => `${value}\u00a0s`,
+    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds}\u00a0min`,
+    percent: (value: string) => `${value}\u00a0%`,
   },
 };

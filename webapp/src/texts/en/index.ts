@@ -1,5 +1,7 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { control, hold } from "./control";
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -7,7 +9,10 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const en = {
+  control,
   flight,
+  hold,
+  language,
   robot,
   robots,
   run,

@@ -21,10 +21,10 @@ export const flight: Texts["flight"] = {
   off: "Écart",
   errorPlot: "Écart au plan, en degrés",
   errorSummary: (joint: number, most: string) =>
-    `Écart au plan : le plus grand est celui de l'axe ${joint}, ${most} au maximum.`,
-  marks: "Traits pointillés : des messages du robot ont été perdus ou sont arrivés en retard.",
+    `Écart au plan : le plus grand est celui de l'axe ${joint}, ${most} au maximum.`,
+  marks: "Traits pointillés : des messages du robot ont été perdus ou sont arrivés en retard.",
   events: "Ce qui s'est passé",
-  none: "Rien n'a été enregistré : le bras n'a pas bougé.",
+  none: "Rien n'a été enregistré : le bras n'a pas bougé.",
   byJoint: "Écart au plan, axe par axe",
   most: "Maximum",
   rms: "Moyenne quadratique",

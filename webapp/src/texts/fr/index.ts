@@ -1,7 +1,9 @@
-// Every French word the app shows, grouped by screen, with the formal vous. What stands before a
-// high sign (: ; ? !) or a unit is a space at which no line ends.
+// Every French word the app shows, grouped by screen, with the formal vous. The spaces before : ; ? !
+// are plain here; typography.ts makes them such that no line ends there.
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -9,7 +11,10 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const fr: Texts = {
+  control,
   flight,
+  hold,
+  language,
   robot,
   robots,
   run,
@@ -39,7 +44,7 @@ export const fr: Texts = {
       take: (value: string) => `exemple ${value}`,
       row: (value: string) => `ligne ${value}`,
       joint: (value: string) => `axe ${value}`,
-      t_s: (value: string) => `après ${value} s`,
+      t_s: (value: string) => `après ${value}\u00a0s`,
     },
   },
   stop: {
@@ -49,7 +54,7 @@ export const fr: Texts = {
     failed: "L'ordre d'arrêt n'est peut-être pas passé. Utilisez l'arrêt d'urgence du robot.",
   },
   pairing: {
-    title: "Connecter ce téléphone",
+    title: "Connecter le téléphone",
     explain: "Tapez le code affiché sur l'écran de l'ordinateur TEAM.",
     code: "Code",
     connect: "Connecter",
@@ -62,7 +67,7 @@ export const fr: Texts = {
     seconds: "secondes",
     live: "Les dix dernières secondes des six axes",
     summary: (title: string, seconds: string, widest: number, travel: string) =>
-      `${title} : ${seconds}. C'est l'axe ${widest} qui bouge le plus, de ${travel}.`,
+      `${title} : ${seconds}. C'est l'axe ${widest} qui bouge le plus, de ${travel}.`,
     numbers: "En chiffres",
     start: "Début",
     end: "Fin",
@@ -74,9 +79,9 @@ export const fr: Texts = {
   units: {
     degrees: (value: string) => `${value}°`,
     below: (value: string) => `moins de ${value}`,
-    millimetres: (value: string) => `${value} mm`,
-    seconds: (value: string) => `${value} s`,
-    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds} min`,
-    percent: (value: string) => `${value} %`,
+    millimetres: (value: string) => `${value}\u00a0mm`,
+    seconds: (value: string) => `${value}\u00a0s`,
+    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds}\u00a0min`,
+    percent: (value: string) => `${value}\u202f%`,
   },
 };

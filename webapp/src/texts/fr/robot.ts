@@ -19,7 +19,7 @@ export const robot: Texts["robot"] = {
     "Ce téléphone est hors ligne. Ce qui est affiché est ancien. Tout reprend sans rien faire dès que le téléphone est reconnecté.",
   now: "en direct",
   ago: (state: string, age: string) => `${state}, il y a ${age}`,
-  old: (age: string) => `ancien : ${age}`,
+  old: (age: string) => `ancien : ${age}`,
   happened: "Ce qui s'est passé",
   todo: "Ce qu'il faut faire",
   acknowledge: "J'ai contrôlé le robot",
@@ -33,8 +33,8 @@ export const robot: Texts["robot"] = {
     turningOn: "Activation…",
     turningOff: "Coupure…",
     isSoft:
-      "Le guidage manuel est actif : le bras bouge quand vous le poussez. Coupez-le quand le bras est où vous voulez.",
-    handBack: "Main virtuelle : ramener au départ",
+      "Le guidage manuel est actif : le bras bouge quand vous le poussez. Coupez-le quand le bras est où vous voulez.",
+    handBack: "Main virtuelle : ramener au départ",
     handMoving: "La main virtuelle ramène le bras…",
   },
   why: {

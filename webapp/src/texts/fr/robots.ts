@@ -9,11 +9,11 @@ export const robots: Texts["robots"] = {
   noJoints: "Sa position n'est pas connue",
   jointsNow: "Axes mesurés à l'instant",
   jointsAge: (age: string) => `Axes mesurés il y a ${age}`,
-  egmNever: "Liaison de commande : pas encore utilisée",
+  egmNever: "Liaison de commande : pas encore utilisée",
   egmOn: "active",
   egmOff: "au repos",
   priority: "avec priorité",
   noPriority: "sans priorité",
   egm: (link: string, lost: number, late: number, priority: string) =>
-    `Liaison de commande : ${link}, messages perdus : ${lost}, en retard : ${late}, ${priority}`,
+    `Liaison de commande : ${link}, messages perdus : ${lost}, en retard : ${late}, ${priority}`,
 };

@@ -3,19 +3,19 @@ import type { Texts } from "..";
 
 export const run: Texts["run"] = {
   title: "Exécuter",
-  choose: "Quel mouvement le bras doit-il faire ?",
+  choose: "Quel mouvement le bras doit-il faire ?",
   none: "Rien n'est encore entraîné. Apprenez d'abord une tâche au robot.",
   toTeach: "Apprendre une tâche",
   open: (name: string) => `Exécuter ${name}`,
   notTrained: "Cette tâche n'a pas encore de mouvement entraîné.",
 
-  goal: "Où le mouvement doit-il finir ?",
+  goal: "Où le mouvement doit-il finir ?",
   goals: {
     as_taught: { name: "Comme montré", detail: "à la fin du mouvement montré" },
     present: { name: "Là où est le bras", detail: "aux angles actuels des axes" },
     typed: { name: "Angles à taper", detail: "six nombres en degrés" },
   },
-  start: "Où doit-il commencer ?",
+  start: "Où doit-il commencer ?",
   starts: {
     as_taught: { name: "Comme montré", detail: "le bras y va d'abord lentement" },
     present: { name: "Là où est le bras", detail: "le mouvement commence tout de suite" },
@@ -25,8 +25,8 @@ export const run: Texts["run"] = {
   joint: (number: number) => `Axe ${number} en degrés`,
   range: (lowest: string, highest: string) => `de ${lowest} à ${highest}`,
   notNumber: "Tapez un nombre, par exemple 12,5",
-  outOfRange: (lowest: string, highest: string) => `Permis : de ${lowest} à ${highest}`,
-  speed: "À quelle vitesse ?",
+  outOfRange: (lowest: string, highest: string) => `Permis : de ${lowest} à ${highest}`,
+  speed: "À quelle vitesse ?",
   speeds: { "0.25": "Lente", "0.5": "Moitié", "1": "Pleine" },
 
   preview: "Aperçu",
@@ -58,7 +58,7 @@ export const run: Texts["run"] = {
     title: "Vitesse du mouvement",
     pause: "Pause",
     goOn: "Continuer",
-    is: (share: string) => `Vitesse : ${share}`,
+    is: (share: string) => `Vitesse : ${share}`,
     slower: "Plus lent",
     faster: "Plus vite",
     slowest: "Déjà au plus lent",

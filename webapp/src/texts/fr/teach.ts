@@ -4,7 +4,7 @@ import type { Texts } from "..";
 const states = {
   preparing: "En préparation",
   recording: "En cours",
-  recorded: "Garder ?",
+  recorded: "Garder ?",
   kept: "Gardé",
   discarded: "Écarté",
   interrupted: "Interrompu",
@@ -12,18 +12,18 @@ const states = {
 
 export const teach: Texts["teach"] = {
   title: "Apprendre",
-  choose: "Quelle tâche voulez-vous apprendre au robot ?",
-  none: "Pas encore de tâche. Une tâche est un mouvement, par exemple : mettre la pièce dans la machine.",
+  choose: "Quelle tâche voulez-vous apprendre au robot ?",
+  none: "Pas encore de tâche. Une tâche est un mouvement, par exemple : mettre la pièce dans la machine.",
   newTask: "Nouvelle tâche",
   name: "Nom de la tâche",
-  nameExample: "Par exemple : charger la machine",
+  nameExample: "Par exemple : charger la machine",
   nameMissing: "Donnez d'abord un nom à la tâche.",
   create: "Créer la tâche",
   creating: "Création…",
   open: (name: string) => `Ouvrir la tâche ${name}`,
 
   isTrained: "Entraînée",
-  waiting: (number: number, state: string) => `Exemple ${number} : ${state}`,
+  waiting: (number: number, state: string) => `Exemple ${number} : ${state}`,
 
   takes: "Exemples",
   noTakes: "Pas encore d'exemple. Montrez le mouvement au bras deux ou trois fois.",
@@ -31,8 +31,8 @@ export const teach: Texts["teach"] = {
   states,
   openTake: (number: number, state: string, mark: string | undefined) =>
     `Exemple ${number}, ${state}${mark ? `, ${mark}` : ""}`,
-  keptCount: (kept: number) => `Exemples gardés : ${kept} sur 3`,
-  keptEnough: (kept: number) => `Exemples gardés : ${kept}`,
+  keptCount: (kept: number) => `Exemples gardés : ${kept} sur 3`,
+  keptEnough: (kept: number) => `Exemples gardés : ${kept}`,
   comparing: "Comparaison des exemples…",
   discardedTakes: (count: number) => `Exemples écartés (${count})`,
 
@@ -61,7 +61,7 @@ export const teach: Texts["teach"] = {
   renaming: "Sauvegarde…",
   remove: "Supprimer cette tâche",
   removing: "Suppression…",
-  removeAsk: "Supprimer cette tâche avec ses exemples et ses mouvements entraînés ?",
+  removeAsk: "Supprimer cette tâche avec ses exemples et ses mouvements entraînés ?",
   removeYes: "Oui, supprimer",
   removeNo: "Non, la garder",
 
@@ -72,7 +72,7 @@ export const teach: Texts["teach"] = {
     "Guidez le bras sur tout le mouvement, puis appuyez sur Terminer.",
   ],
   stepsVirtual: [
-    "Pas de vrai robot ici : une main virtuelle guide le bras virtuel.",
+    "Pas de vrai robot ici : une main virtuelle guide le bras virtuel.",
     "Appuyez sur Enregistrer. Après 3, 2, 1, la main prend le bras.",
     "Elle s'arrête toute seule. Chaque exemple est un peu différent, comme avec une personne.",
   ],
@@ -95,7 +95,7 @@ export const teach: Texts["teach"] = {
   stopRecording: "Terminer",
   stoppingRecording: "Sauvegarde de l'exemple…",
 
-  reviewAsk: "Cet exemple est-il bon ?",
+  reviewAsk: "Cet exemple est-il bon ?",
   interruptedExplain:
     "Cet enregistrement a été coupé. Ce qui a été enregistré jusque-là est en sécurité. Regardez-le et décidez.",
   keep: "Garder",
@@ -105,7 +105,7 @@ export const teach: Texts["teach"] = {
   discarding: "Mise à l'écart…",
   isKept: "Cet exemple est gardé. Il servira à l'entraînement.",
   isDiscarded:
-    "Cet exemple est écarté. Il ne sert pas, mais il n'est pas perdu : vous pouvez encore le garder.",
+    "Cet exemple est écarté. Il ne sert pas, mais il n'est pas perdu : vous pouvez encore le garder.",
   figures: {
     duration: "Durée",
     samples: "Points de mesure",
@@ -122,13 +122,13 @@ export const teach: Texts["teach"] = {
 
   training: "Entraînement",
   trainingQueued: "L'entraînement attend son tour.",
-  trainingSleep: "Vous pouvez verrouiller le téléphone : l'entraînement continue.",
+  trainingSleep: "Vous pouvez verrouiller le téléphone : l'entraînement continue.",
   cancelTraining: "Annuler l'entraînement",
   cancelling: "Annulation…",
   trained: "Le bras a appris le mouvement",
   trainingFailed: "L'entraînement n'a pas réussi",
   trainingCancelled: "L'entraînement a été annulé. Tous les exemples sont encore là.",
-  backToTakes: "Retour aux exemples",
+  backToTakes: "Voir les exemples",
   runIt: "Exécuter",
   allFigures: "Toutes les valeurs",
   bandPlot: "Mouvement appris et sa dispersion",

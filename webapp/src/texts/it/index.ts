@@ -1,7 +1,9 @@
 // Every Italian word the app shows, grouped by screen, with the formal Lei: instructions in the
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -9,7 +11,10 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const it: Texts = {
+  control,
   flight,
+  hold,
+  language,
   robot,
   robots,
   run,
@@ -39,7 +44,7 @@ export const it: Texts = {
       take: (value: string) => `esempio ${value}`,
       row: (value: string) => `riga ${value}`,
       joint: (value: string) => `asse ${value}`,
-      t_s: (value: string) => `dopo ${value} s`,
+      t_s: (value: string) => `dopo ${value}\u00a0s`,
     },
   },
   stop: {
@@ -49,7 +54,7 @@ export const it: Texts = {
     failed: "Il comando di arresto forse non è arrivato. Usi l'arresto di emergenza del robot.",
   },
   pairing: {
-    title: "Collegare questo telefono",
+    title: "Collega il telefono",
     explain: "Scriva il codice che compare sullo schermo del computer TEAM.",
     code: "Codice",
     connect: "Collega",
@@ -74,9 +79,9 @@ export const it: Texts = {
   units: {
     degrees: (value: string) => `${value}°`,
     below: (value: string) => `meno di ${value}`,
-    millimetres: (value: string) => `${value} mm`,
-    seconds: (value: string) => `${value} s`,
-    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds} min`,
+    millimetres: (value: string) => `${value}\u00a0mm`,
+    seconds: (value: string) => `${value}\u00a0s`,
+    minutes: (minutes: number, seconds: string) => `${minutes}:${seconds}\u00a0min`,
     percent: (value: string) => `${value}%`,
   },
 };

@@ -127,7 +127,7 @@ export const teach: Texts["teach"] = {
   trained: "Il braccio ha imparato il movimento",
   trainingFailed: "L'addestramento non è riuscito",
   trainingCancelled: "L'addestramento è stato annullato. Gli esempi ci sono ancora tutti.",
-  backToTakes: "Torna agli esempi",
+  backToTakes: "Vedi gli esempi",
   runIt: "Esegui",
   allFigures: "Tutti i valori",
   bandPlot: "Movimento imparato e sua dispersione",
