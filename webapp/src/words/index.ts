@@ -1,6 +1,7 @@
 // The server speaks English; what it says is said here in the phone's language (ADR 0032). The
 // words of the app itself are in texts/.
-import { language, locale } from "../texts";
+import { language, locale, typeset } from "../texts";
+import { setAll } from "../texts/typography";
 import { sayAnswer } from "./answers";
 import { Catalogue } from "./catalogue";
 
@@ -17,7 +18,7 @@ async function load(): Promise<Catalogue | null> {
   try {
     const entries = await LOADERS[language]?.();
     const decimalSign = new Intl.NumberFormat(locale).format(1.5).charAt(1);
-    return entries ? new Catalogue(entries, decimalSign) : null;
+    return entries ? new Catalogue(setAll(entries, typeset), decimalSign) : null;
   } catch {
     return null;
   }

@@ -51,12 +51,9 @@ it("there are words in every language of the app", () => {
   expect(Object.keys(LANGUAGES).sort()).toEqual(codes.sort());
 });
 
-describe("the ways of writing", () => {
-  it("leaves the German ß out, as Switzerland does", () => {
-    expect(Object.values(de).filter((said) => said.includes("ß"))).toEqual([]);
-  });
-
-  it("lets no French line end before its double signs", () => {
-    expect(Object.values(fr).filter((said) => /[ \p{L}}]([;?!»]|: )| :/u.test(said))).toEqual([]);
-  });
+it("they are written plainly: texts/typography.ts sets them", () => {
+  const set = Object.values(LANGUAGES)
+    .flatMap(Object.values)
+    .filter((said) => /[\u00a0\u202f’]/.test(said));
+  expect(set).toEqual([]);
 });
