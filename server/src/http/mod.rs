@@ -5,6 +5,7 @@
 mod agreement;
 mod assets;
 mod auth;
+mod dashboard;
 mod demonstrations;
 mod error;
 mod extract;
@@ -14,7 +15,10 @@ mod health;
 mod jobs;
 mod live;
 mod models;
+mod outcomes;
 mod plans;
+mod positions;
+mod questionnaire;
 mod reproductions;
 mod robot;
 mod router;
