@@ -1,5 +1,8 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { dashboard } from "./dashboard";
+import { feedback } from "./feedback";
 import { flight } from "./flight";
+import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -7,7 +10,10 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const en = {
+  dashboard,
+  feedback,
   flight,
+  positions,
   robot,
   robots,
   run,
