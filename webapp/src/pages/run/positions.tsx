@@ -17,7 +17,7 @@ import { t } from "../../texts";
 export function PositionsPage({ task }: { task: string }) {
   const load = useLoad(loadPositions, robotId.value);
   const known = useComputed(() => robot.value?.joints_deg != null);
-  const saved = useSignal<string | null>(null);
+  const saved = useSignal<Position | null>(null);
   const list = ourPositions();
   const save = useAction(async () => {
     const position = await savePresentPosition(
@@ -26,9 +26,10 @@ export function PositionsPage({ task }: { task: string }) {
       freeName(ourPositions().map((one) => one.name)),
     );
     positions.put(position);
-    saved.value = position.id;
+    saved.value = position;
   });
-  const fresh = list.find((one) => one.id === saved.value);
+  // With its own name nothing is left to say about it.
+  const fresh = list.find((one) => one.id === saved.value?.id && one.name === saved.value.name);
   return (
     <Page
       title={t.positions.title}
@@ -58,7 +59,7 @@ export function PositionsPage({ task }: { task: string }) {
       <ul class="rows">
         {list.map((one) => (
           <li key={one.id}>
-            <Entry position={one} opened={one.id === saved.value} known={known.value} />
+            <Entry position={one} opened={one.id === saved.value?.id} known={known.value} />
           </li>
         ))}
       </ul>

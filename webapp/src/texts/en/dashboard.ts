@@ -30,7 +30,7 @@ export const dashboard = {
   },
   openRun: (task: string, when: string) => `Run of ${task}, ${when}`,
   yes: "Worked",
-  no: "Did not",
+  no: "Did not work",
   unsaid: "Not said",
   shareOf: (share: string, worked: string, judged: string) => `${share} (${worked} of ${judged})`,
   answers: "What workers say",
