@@ -8,7 +8,7 @@ import { extremes, HIGHEST, onAxis, outline, type Point } from "./radar-shape";
 const AXES = ["learned", "safe", "accurate", "simple", "enjoyable"] as const;
 
 const WIDTH = 336;
-const HEIGHT = 252;
+const HEIGHT = 226;
 const CENTRE: Point = { x: WIDTH / 2, y: 122 };
 const RADIUS = 84;
 
@@ -17,10 +17,10 @@ type Anchor = "start" | "middle" | "end";
 /** Where the names stand: beside the tips, and never over the drawing. */
 const LABELS: readonly (Point & { anchor: Anchor })[] = [
   { x: CENTRE.x, y: 24, anchor: "middle" },
-  { x: WIDTH, y: 68, anchor: "end" },
+  { x: CENTRE.x + 72, y: 82, anchor: "start" },
   { x: CENTRE.x + 22, y: 216, anchor: "start" },
   { x: CENTRE.x - 22, y: 216, anchor: "end" },
-  { x: 0, y: 68, anchor: "start" },
+  { x: CENTRE.x - 72, y: 82, anchor: "end" },
 ];
 
 export function Radar({ title, result }: { title: string; result: QuestionnaireResult }) {

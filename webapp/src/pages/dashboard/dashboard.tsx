@@ -24,7 +24,7 @@ export function DashboardPage() {
   const shown = dashboard.value;
   const problem = dashboardProblem.value;
   return (
-    <Page title={t.dashboard.title} back={{ page: "robots" }}>
+    <Page title={t.dashboard.title} back={{ page: "run" }}>
       {!shown && problem && <ProblemNotice problem={problem} />}
       {!shown && !problem && (
         <p class="loading" role="status">

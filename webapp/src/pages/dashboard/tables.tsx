@@ -1,7 +1,9 @@
 // The overview's two tables: the latest runs, and the counts of each task. On a phone each row
 // becomes a card; the roles keep it a table for screen readers.
+import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import type { RunSummary, TaskSummary } from "../../api/types";
+import { Button } from "../../components/button";
 import { RunState, Worked } from "../../components/run-state";
 import { errorDegrees, fixed, percent } from "../../format/numbers";
 import { moment } from "../../format/when";
@@ -44,7 +46,24 @@ function Table({ label, columns, rows }: { label: string; columns: string[]; row
   );
 }
 
+/** So many runs are shown until somebody wants to see all: what is below has to be found too. */
+const SHOWN = 6;
+
 export function RunsTable({ runs }: { runs: readonly RunSummary[] }) {
+  const all = useSignal(false);
+  return (
+    <>
+      <Runs runs={all.value ? runs : runs.slice(0, SHOWN)} />
+      {!all.value && runs.length > SHOWN && (
+        <Button icon="plus" onPress={() => (all.value = true)}>
+          {t.dashboard.showAll(String(runs.length))}
+        </Button>
+      )}
+    </>
+  );
+}
+
+function Runs({ runs }: { runs: readonly RunSummary[] }) {
   const names = t.dashboard.columns;
   return (
     <Table

@@ -16,6 +16,7 @@ export const dashboard: Texts["dashboard"] = {
   unknownTask: "eine gelöschte Aufgabe",
   runs: "Letzte Ausführungen",
   noRuns: "Noch hat kein Arm eine Bewegung ausgeführt.",
+  showAll: (count: string) => `Alle ${count} zeigen`,
   tasks: "Aufgaben",
   noTasks: "Es gibt noch keine Aufgabe.",
   columns: {

@@ -14,6 +14,7 @@ export const dashboard = {
   unknownTask: "a task that was deleted",
   runs: "Latest runs",
   noRuns: "No arm has run a motion yet.",
+  showAll: (count: string) => `Show all ${count}`,
   tasks: "Tasks",
   noTasks: "There is no task yet.",
   columns: {

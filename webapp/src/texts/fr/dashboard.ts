@@ -17,6 +17,7 @@ export const dashboard: Texts["dashboard"] = {
   unknownTask: "une tâche supprimée",
   runs: "Dernières exécutions",
   noRuns: "Aucun bras n'a encore exécuté de mouvement.",
+  showAll: (count: string) => `Montrer les ${count}`,
   tasks: "Tâches",
   noTasks: "Il n'y a pas encore de tâche.",
   columns: {

@@ -16,6 +16,7 @@ export const dashboard: Texts["dashboard"] = {
   unknownTask: "un compito eliminato",
   runs: "Ultime esecuzioni",
   noRuns: "Nessun braccio ha ancora eseguito un movimento.",
+  showAll: (count: string) => `Mostra tutte: ${count}`,
   tasks: "Compiti",
   noTasks: "Non c'è ancora nessun compito.",
   columns: {
