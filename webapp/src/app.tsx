@@ -1,12 +1,14 @@
 // The frame around every screen: robot state and sections on top, Stop at the bottom.
 import { useEffect } from "preact/hooks";
 import { ButtonLink } from "./components/button";
+import { ControlStrip } from "./components/control-strip";
 import { Icon, type IconName } from "./components/icon";
 import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
 import { DashboardPage } from "./pages/dashboard/dashboard";
+import { LanguagePage } from "./pages/language";
 import { PairingPage } from "./pages/pairing";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
@@ -42,9 +44,10 @@ export function App() {
     <div class="frame">
       <header>
         <RobotBar />
+        {ready && <ControlStrip />}
         {ready && <Sections />}
       </header>
-      {ready ? (
+      {ready || route.value.page === "language" ? (
         <Screen route={route.value} />
       ) : open ? (
         // The overview is of all robots, so none has to be chosen for it.
@@ -56,7 +59,7 @@ export function App() {
       ) : mustPair.value ? (
         <PairingPage problem={load.problem} />
       ) : (
-        <Page title={t.app.name}>
+        <Page title={t.app.name} first>
           <LoadNotice load={load} empty />
         </Page>
       )}
@@ -74,7 +77,11 @@ function Sections() {
     "motion",
     "questions",
   ]);
-  const neither: ReadonlySet<Route["page"]> = new Set<Route["page"]>(["robots", "dashboard"]);
+  const neither: ReadonlySet<Route["page"]> = new Set<Route["page"]>([
+    "robots",
+    "dashboard",
+    "language",
+  ]);
   const { page: shown } = route.value;
   const here = neither.has(shown) ? null : run.has(shown) ? "run" : "teach";
   const tab = (page: "teach" | "run", icon: IconName) => (
@@ -112,6 +119,8 @@ function Screen({ route }: { route: Route }) {
       return <RobotsPage key="robots" />;
     case "dashboard":
       return <DashboardPage key="dashboard" />;
+    case "language":
+      return <LanguagePage key="language" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

@@ -12,6 +12,7 @@ test("every screen has an address that leads back to it", () => {
     { page: "model", task: "t", model: "m" },
     { page: "robots" },
     { page: "dashboard" },
+    { page: "language" },
     { page: "run" },
     { page: "setup", task: "t" },
     { page: "preview", task: "t" },

@@ -10,6 +10,7 @@ export type Route =
   | { page: "model"; task: string; model: string }
   | { page: "robots" }
   | { page: "dashboard" }
+  | { page: "language" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
@@ -36,6 +37,7 @@ export function parse(hash: string): Route {
   }
   if (section === "robots" && task === undefined) return { page: "robots" };
   if (section === "dashboard" && task === undefined) return { page: "dashboard" };
+  if (section === "language" && task === undefined) return { page: "language" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
@@ -67,6 +69,8 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return "#/robots";
     case "dashboard":
       return "#/dashboard";
+    case "language":
+      return "#/language";
     case "run":
       return "#/run";
     case "setup":

@@ -5,6 +5,7 @@
 mod agreement;
 mod assets;
 mod auth;
+mod control;
 mod dashboard;
 mod demonstrations;
 mod error;

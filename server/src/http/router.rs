@@ -12,9 +12,9 @@ use utoipa_axum::routes;
 
 use super::state::AppState;
 use super::{
-    agreement, assets, auth, dashboard, demonstrations, flights, headers, health, jobs, live,
-    models, outcomes, plans, positions, questionnaire, reproductions, robot, run_control, session,
-    signals, tasks,
+    agreement, assets, auth, control, dashboard, demonstrations, flights, headers, health, jobs,
+    live, models, outcomes, plans, positions, questionnaire, reproductions, robot, run_control,
+    session, signals, tasks,
 };
 
 /// Requests are small; only recorded files are not.
@@ -78,6 +78,7 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(robot::lead_through))
         .routes(routes!(robot::virtual_hand))
         .routes(routes!(signals::set))
+        .routes(routes!(control::change))
         .routes(routes!(live::open))
         .routes(routes!(plans::create))
         .routes(routes!(reproductions::list, reproductions::start))
