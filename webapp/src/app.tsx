@@ -1,17 +1,22 @@
 // The frame around every screen: robot state and sections on top, Stop at the bottom.
 import { useEffect } from "preact/hooks";
 import { ButtonLink } from "./components/button";
+import { ControlStrip } from "./components/control-strip";
 import { Icon, type IconName } from "./components/icon";
 import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
+import { DashboardPage } from "./pages/dashboard/dashboard";
+import { LanguagePage } from "./pages/language";
 import { OfflinePage } from "./pages/offline";
 import { PairingPage } from "./pages/pairing";
 import { JoinPage } from "./pages/phones/join";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
+import { PositionsPage } from "./pages/run/positions";
 import { PreviewPage } from "./pages/run/preview";
+import { QuestionsPage } from "./pages/run/questions";
 import { RunPage } from "./pages/run/run";
 import { SetupPage } from "./pages/run/setup";
 import { ModelPage } from "./pages/teach/model";
@@ -48,20 +53,26 @@ export function App() {
     <div class="frame">
       <header>
         <RobotBar />
+        {ready && <ControlStrip />}
         {ready && <Sections />}
       </header>
       {alone ? (
         <OfflinePage load={load} />
-      ) : ready ? (
+      ) : ready || route.value.page === "language" ? (
         <Screen route={route.value} />
       ) : joining ? (
         <JoinPage key="join" />
       ) : open ? (
-        <RobotsPage />
+        // The overview is of all robots, so none has to be chosen for it.
+        route.value.page === "dashboard" ? (
+          <DashboardPage />
+        ) : (
+          <RobotsPage />
+        )
       ) : mustPair.value ? (
         <PairingPage problem={load.problem} />
       ) : (
-        <Page title={t.app.name}>
+        <Page title={t.app.name} first>
           <LoadNotice load={load} empty />
         </Page>
       )}
@@ -71,9 +82,21 @@ export function App() {
 }
 
 function Sections() {
-  const run: ReadonlySet<Route["page"]> = new Set(["run", "setup", "preview", "motion"]);
+  const run: ReadonlySet<Route["page"]> = new Set<Route["page"]>([
+    "run",
+    "setup",
+    "positions",
+    "preview",
+    "motion",
+    "questions",
+  ]);
+  const neither: ReadonlySet<Route["page"]> = new Set<Route["page"]>([
+    "robots",
+    "dashboard",
+    "language",
+  ]);
   const { page: shown } = route.value;
-  const here = shown === "robots" ? "robots" : run.has(shown) ? "run" : "teach";
+  const here = neither.has(shown) ? null : run.has(shown) ? "run" : "teach";
   const tab = (page: "teach" | "run", icon: IconName) => (
     <a href={link({ page } as Target)} aria-current={here === page ? "page" : undefined}>
       <Icon name={icon} />
@@ -109,6 +132,10 @@ function Screen({ route }: { route: Route }) {
       return <RobotsPage key="robots" />;
     case "join":
       return <JoinPage key="join" />;
+    case "dashboard":
+      return <DashboardPage key="dashboard" />;
+    case "language":
+      return <LanguagePage key="language" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":
@@ -117,6 +144,10 @@ function Screen({ route }: { route: Route }) {
       return <PreviewPage key={`preview ${route.task}`} task={route.task} />;
     case "motion":
       return <MotionPage key={route.motion} task={route.task} motion={route.motion} />;
+    case "questions":
+      return <QuestionsPage key={route.motion} task={route.task} motion={route.motion} />;
+    case "positions":
+      return <PositionsPage key={`positions ${route.task}`} task={route.task} />;
     case "missing":
       return (
         <Page

@@ -10,10 +10,14 @@ export type Route =
   | { page: "model"; task: string; model: string }
   | { page: "robots" }
   | { page: "join" }
+  | { page: "dashboard" }
+  | { page: "language" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
   | { page: "motion"; task: string; motion: string }
+  | { page: "questions"; task: string; motion: string }
+  | { page: "positions"; task: string }
   | { page: "missing" };
 
 export function parse(hash: string): Route {
@@ -22,7 +26,7 @@ export function parse(hash: string): Route {
     .split("/")
     .filter(Boolean)
     .map(decode);
-  const [section = "teach", task, place, id] = parts;
+  const [section = "teach", task, place, id, further] = parts;
   if (section === "teach") {
     if (task === undefined) return { page: "teach" };
     if (task === "new" && place === undefined) return { page: "new-task" };
@@ -34,11 +38,16 @@ export function parse(hash: string): Route {
   }
   if (section === "robots" && task === undefined) return { page: "robots" };
   if (section === "join") return { page: "join" };
+  if (section === "dashboard" && task === undefined) return { page: "dashboard" };
+  if (section === "language" && task === undefined) return { page: "language" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
     if (place === "preview") return { page: "preview", task };
-    if (place === "motions" && id !== undefined) return { page: "motion", task, motion: id };
+    if (place === "positions") return { page: "positions", task };
+    if (place === "motions" && id !== undefined) {
+      return { page: further === "questions" ? "questions" : "motion", task, motion: id };
+    }
   }
   return { page: "missing" };
 }
@@ -62,14 +71,21 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return "#/robots";
     case "join":
       return "#/join";
+    case "dashboard":
+      return "#/dashboard";
+    case "language":
+      return "#/language";
     case "run":
       return "#/run";
     case "setup":
       return `#/run/${encodeURIComponent(route.task)}`;
     case "preview":
-      return `#/run/${encodeURIComponent(route.task)}/preview`;
+    case "positions":
+      return `#/run/${encodeURIComponent(route.task)}/${route.page}`;
     case "motion":
       return `#/run/${encodeURIComponent(route.task)}/motions/${encodeURIComponent(route.motion)}`;
+    case "questions":
+      return `${link({ ...route, page: "motion" })}/questions`;
   }
 }
 

@@ -1,5 +1,7 @@
 //! The one place where errors become HTTP answers: RFC 9457 problem documents.
 
+mod workers;
+
 use std::borrow::Cow;
 
 use axum::Json;
@@ -12,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::agreement::AgreementError;
 use crate::arms::UnknownRobot;
+use crate::control::ControlError;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
 use crate::recording::RecordingError;
@@ -181,6 +184,9 @@ impl From<store::Error> for ApiError {
             Error::IdTaken { .. } => {
                 Self::conflict("id_taken", sentence(&error)).advise("Send a new identifier.")
             }
+            Error::NameTaken { .. } => Self::conflict("name_taken", sentence(&error))
+                .at(json!({ "field": "name" }))
+                .advise("Choose another name."),
             Error::Damaged { .. } | Error::Database(_) | Error::Migration(_) => {
                 Self::internal(&error)
             }
@@ -234,6 +240,16 @@ impl From<UnknownRobot> for ApiError {
     }
 }
 
+impl From<ControlError> for ApiError {
+    fn from(error: ControlError) -> Self {
+        let status = match error {
+            ControlError::NoPhone => StatusCode::UNPROCESSABLE_ENTITY,
+            ControlError::Controlled { .. } | ControlError::NotYours => StatusCode::CONFLICT,
+        };
+        Self::new(status, error.code(), sentence(&error)).advise(error.advice())
+    }
+}
+
 impl From<RecordingError> for ApiError {
     fn from(error: RecordingError) -> Self {
         match error {
@@ -268,6 +284,9 @@ impl From<ReproducingError> for ApiError {
             }
             ReproducingError::OtherRobot { .. } => Self::conflict("other_robot", sentence(&error))
                 .advise("Preview the motion for the robot that shall make it."),
+            ReproducingError::HoldRequired => Self::conflict("hold_required", sentence(&error))
+                .advise("Start it from a phone, and hold the button while the arm moves."),
+            ReproducingError::NotRunning => Self::conflict("wrong_state", sentence(&error)),
             ReproducingError::KeyReused => Self::unprocessable(
                 "idempotency_key_reused",
                 "Idempotency-Key",

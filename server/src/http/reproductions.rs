@@ -7,13 +7,14 @@ use serde::Deserialize;
 use utoipa::{IntoParams, ToSchema};
 
 use super::auth::Actor;
+use super::control::OnPhone;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
 use super::signals::RunSignalMark;
 use super::state::AppState;
 use super::trajectories::{MaxPoints, RunTrajectory, picks, run_trajectory_of};
 use crate::ids::{ReproductionId, TaskId};
-use crate::reproducing::StartRequest;
+use crate::reproducing::{ReproducingError, StartRequest};
 use crate::store::flights::Stretch;
 use crate::store::reproductions::Reproduction;
 
@@ -28,6 +29,10 @@ pub struct NewReproduction {
     /// The reproduction's identifier; the server makes one when it is missing. The same again
     /// does not start a second motion.
     id: Option<ReproductionId>,
+    /// True: the arm moves only while somebody holds the button on a phone, which says so on the
+    /// live socket.
+    #[serde(default)]
+    hold: bool,
 }
 
 /// Which reproductions.
@@ -35,7 +40,12 @@ pub struct NewReproduction {
 pub struct Filter {
     /// Only of this task.
     task: Option<TaskId>,
+    /// How many at most, from 1 to 200, which is also what is meant when it is missing.
+    limit: Option<u32>,
 }
+
+/// So many reproductions are listed at most.
+const LISTED: u32 = 200;
 
 /// Starts the motion of a plan. A start that is repeated never moves the arm twice.
 #[utoipa::path(post, path = "/reproductions", tag = "reproductions", request_body = NewReproduction,
@@ -50,14 +60,20 @@ pub struct Filter {
 pub async fn start(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     headers: HeaderMap,
     Json(new): Json<NewReproduction>,
 ) -> Result<Response, ApiError> {
     let arm = state.arms.named(new.robot.as_deref())?;
+    arm.claim(phone.as_ref())?;
+    if !new.hold && !arm.continuous_run {
+        return Err(ReproducingError::HoldRequired.into());
+    }
     let request = StartRequest {
         plan: new.plan,
         id: new.id,
         key: idempotency_key(&headers)?,
+        hold: new.hold,
     };
     let reproduction = arm.reproducer.start(request).await?;
     state
@@ -69,7 +85,7 @@ pub async fn start(
     Ok((StatusCode::ACCEPTED, headers, Json(reproduction)).into_response())
 }
 
-/// The latest 200 reproductions, newest first.
+/// The latest reproductions, newest first.
 #[utoipa::path(get, path = "/reproductions", tag = "reproductions", params(Filter), responses(
     (status = 200, body = [Reproduction]),
 ))]
@@ -77,7 +93,8 @@ pub async fn list(
     State(state): State<AppState>,
     Query(filter): Query<Filter>,
 ) -> Result<Json<Vec<Reproduction>>, ApiError> {
-    Ok(Json(state.store.reproductions(filter.task).await?))
+    let limit = filter.limit.unwrap_or(LISTED).clamp(1, LISTED);
+    Ok(Json(state.store.reproductions(filter.task, limit).await?))
 }
 
 /// One reproduction.

@@ -7,6 +7,7 @@ use crate::agreement::Agreements;
 use crate::arms::{Arm, Arms, StartedRobot};
 use crate::certificates::Certificates;
 use crate::clock::SharedClock;
+use crate::control::Control;
 use crate::events::Events;
 use crate::jobs::Queue;
 use crate::pairing::Gatekeeper;
@@ -61,6 +62,7 @@ impl AppState {
                 id,
                 name,
                 limits,
+                continuous_run,
                 robot,
             } = started;
             let (s, e, c) = parts();
@@ -71,7 +73,9 @@ impl AppState {
                 id,
                 name,
                 limits,
+                continuous_run,
                 robot,
+                control: Control::default(),
                 recorder,
                 reproducer,
             }

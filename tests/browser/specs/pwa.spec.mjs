@@ -176,8 +176,10 @@ test("a new build waits for a person, who is told and decides", async () => {
   await page.getByText("A new version of TEAM is ready").waitFor();
   await inspect(page, "new-version");
   assert.ok(await isBefore(), "the page was not loaded anew by itself");
+  const loaded = page.waitForEvent("load");
   await button(page, "Load it now").click();
-  await until(page, "the page is loaded anew", async () => !(await isBefore()));
+  await loaded;
+  assert.ok(!(await isBefore()));
   await heading(page, "Teach").waitFor();
   await network.cut();
   await hangUp(phone);

@@ -13,6 +13,18 @@ const PATIENCE_MS = 60_000;
 
 export const SMALL = { width: 360, height: 640 };
 export const USUAL = { width: 390, height: 844 };
+export const TABLET = { width: 820, height: 1180 };
+export const SIZES = { small: SMALL, usual: USUAL, tablet: TABLET };
+
+/** The size on which a spec file's flows are done: always the same for one file, and each size for
+ *  some of them. `SIZE=small` and so on does all of them on one. */
+function ownSize() {
+  const wanted = SIZES[process.env.SIZE];
+  if (wanted) return wanted;
+  const name = path.basename(process.argv[1] ?? "");
+  const sum = [...name].reduce((total, letter) => total + letter.charCodeAt(0), 0);
+  return Object.values(SIZES)[sum % 3];
+}
 
 /** Opens a browser for one spec file; `close` it in `after`. The package's own arguments are meant
  *  for a cloud function: one process for everything, and no web security. We want neither. */
@@ -28,7 +40,7 @@ export async function openBrowser(more = []) {
  *  app for a start without the server only when told to, since requests could not be watched then. */
 export async function newPhone(
   browser,
-  { viewport = USUAL, colorScheme = "light", keepsApp = false } = {},
+  { viewport = ownSize(), colorScheme = "light", locale = "en-GB", keepsApp = false } = {},
 ) {
   const context = await browser.newContext({
     viewport,
@@ -36,7 +48,7 @@ export async function newPhone(
     deviceScaleFactor: 2,
     hasTouch: true,
     isMobile: true,
-    locale: "en-GB",
+    locale,
     serviceWorkers: keepsApp ? "allow" : "block",
   });
   context.setDefaultTimeout(PATIENCE_MS);
@@ -62,6 +74,11 @@ export async function picture(page, name) {
   if (!SCREENSHOTS) return;
   await mkdir(SCREENSHOTS, { recursive: true });
   await page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
+}
+
+/** Resolves when what was changed is on the screen. */
+export async function drawn(page) {
+  await page.evaluate(() => document.fonts.ready.then(() => new Promise(requestAnimationFrame)));
 }
 
 /** Polls the condition in the page until it holds. */

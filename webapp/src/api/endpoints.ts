@@ -2,15 +2,21 @@
 import { address, request } from "./client";
 import type {
   Curve,
+  Dashboard,
   Demonstration,
   Flight,
   FlightEvent,
+  Grouping,
   HandScript,
   Job,
   Joining,
   Model,
   Plan,
   PlanRequest,
+  Position,
+  QuestionnaireDue,
+  QuestionnaireResult,
+  ReplyRequest,
   Reproduction,
   RobotView,
   Session,
@@ -80,13 +86,16 @@ export const returnVirtualHand = (robot: string, script: HandScript, seed: numbe
   request<unknown>("POST", `/robots/${robot}/virtual-hand`, {
     body: { action: "return", script, seed },
   });
+export const changeControl = (robot: string, action: "ask" | "give" | "keep" | "release") =>
+  request<unknown>("POST", `/robots/${robot}/control`, { body: { action } });
 /** `signal` is the name as it stands in an address. */
 export const setSignal = (robot: string, signal: string, on: boolean) =>
   request<unknown>("POST", `/robots/${robot}/signals/${signal}`, { body: { on } });
 
 export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", { body });
-export const startReproduction = (id: string, robot: string, plan: string) =>
-  request<Reproduction>("POST", "/reproductions", { body: { id, robot, plan } });
+/** `hold`: the arm moves only while somebody holds the button, said over the live socket. */
+export const startReproduction = (id: string, robot: string, plan: string, hold: boolean) =>
+  request<Reproduction>("POST", "/reproductions", { body: { id, robot, plan, hold } });
 export const changePace = (id: string, pace: { speed?: number; paused?: boolean }) =>
   request<null>("POST", `/reproductions/${id}/pace`, { body: pace }).then(() => undefined);
 export const planWayBack = (id: string) => request<Plan>("POST", `/reproductions/${id}/back`);
@@ -98,3 +107,30 @@ export const getFlightEvents = (id: string) =>
 /** For a link: the browser saves the file as it comes. */
 export const flightFile = (id: string, kind: "csv" | "mcap") =>
   address(`/reproductions/${id}/flight.${kind}`);
+
+export const listReproductions = (task: string, limit: number) =>
+  request<Reproduction[]>("GET", `/reproductions?task=${task}&limit=${limit}`);
+export const setOutcome = (id: string, worked: boolean, note?: string) =>
+  request<Reproduction>("PUT", `/reproductions/${id}/outcome`, { body: { worked, note } });
+export const takeBackOutcome = (id: string) =>
+  request<Reproduction>("DELETE", `/reproductions/${id}/outcome`);
+
+export const listPositions = (robot: string) =>
+  request<Position[]>("GET", `/positions?robot=${robot}`);
+/** Where the arm stands now, as the server knows it. */
+export const savePresentPosition = (id: string, robot: string, name: string) =>
+  request<Position>("POST", "/positions", { body: { id, robot, name } });
+export const changePosition = (id: string, change: { name?: string; present?: boolean }) =>
+  request<Position>("PATCH", `/positions/${id}`, { body: change });
+export const deletePosition = (id: string) => request<null>("DELETE", `/positions/${id}`);
+
+export const questionnaireDue = (person: string, reproduction: string) =>
+  request<QuestionnaireDue>(
+    "GET",
+    `/questionnaire/due?person=${person}&reproduction=${reproduction}`,
+  );
+export const sendReply = (body: ReplyRequest) =>
+  request<unknown>("POST", "/questionnaire", { body });
+export const questionnaireResults = (by: Grouping) =>
+  request<QuestionnaireResult[]>("GET", `/questionnaire/results?by=${by}`);
+export const getDashboard = () => request<Dashboard>("GET", "/dashboard");

@@ -24,6 +24,7 @@ const PATHS = {
   pencil: "M4 20l1-5L16 4l4 4L9 19z",
   dots: "M5 12h.01M12 12h.01M19 12h.01",
   again: "M20 12a8 8 0 1 1-2.5-5.8M20 3v5h-5",
+  globe: "M12 3a9 9 0 1 0 .01 0zM3 12h18M12 3c-5 5-5 13 0 18m0-18c5 5 5 13 0 18",
   info: "M12 3a9 9 0 1 0 .01 0zM12 11v6m0-10v.5",
   teach: "M4 20c2-6 5-3 7-8s4-6 9-8M20 4l-1 5m1-5l-5 1",
 } as const;

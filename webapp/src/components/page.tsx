@@ -7,18 +7,25 @@ import { t } from "../texts";
 import { FaultNotice } from "./fault-notice";
 import { Icon } from "./icon";
 import { UpdateNotice } from "./update-notice";
+import { LanguageLink } from "./language-link";
 
 interface Props {
   title: string;
   back?: Target;
+  /** One of the first screens a person sees: their language can be chosen here. */
+  first?: boolean;
   actions?: ComponentChildren;
   children?: ComponentChildren;
 }
 
-export function Page({ title, back, actions, children }: Props) {
+export function Page({ title, back, first, actions, children }: Props) {
   const heading = useRef<HTMLHeadingElement>(null);
   // A new screen starts at its title, for screen readers and keyboards too.
-  useEffect(() => heading.current?.focus({ preventScroll: true }), []);
+  useEffect(() => {
+    heading.current?.focus({ preventScroll: true });
+    // Where the screen is low the window scrolls, and would stay where the screen before was left.
+    window.scrollTo(0, 0);
+  }, []);
   return (
     <>
       <main class="page">
@@ -33,10 +40,15 @@ export function Page({ title, back, actions, children }: Props) {
           <h1 ref={heading} tabIndex={-1}>
             {title}
           </h1>
+          {first && <LanguageLink />}
         </div>
         {children}
       </main>
-      <div class="actions">{actions}</div>
+      {actions && (
+        <section class="actions" aria-label={title}>
+          {actions}
+        </section>
+      )}
     </>
   );
 }

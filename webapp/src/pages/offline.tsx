@@ -8,7 +8,7 @@ import { Page } from "../components/page";
 import { age, degrees } from "../format/numbers";
 import type { Load } from "../state/hooks";
 import { nowMs, robot, robotAtMs } from "../state/live";
-import { language, t } from "../texts";
+import { locale, t } from "../texts";
 
 /** How often the server is looked for. */
 const EVERY_MS = 3000;
@@ -48,7 +48,7 @@ export function OfflinePage({ load }: { load: Load }) {
 function LastKnown() {
   const view = robot.value;
   if (view === null) return null;
-  const heardAt = new Date(robotAtMs.value).toLocaleString(language, {
+  const heardAt = new Date(robotAtMs.value).toLocaleString(locale, {
     dateStyle: "medium",
     timeStyle: "short",
   });
@@ -56,7 +56,7 @@ function LastKnown() {
     (joint, index) => [t.plot.joint(index + 1), degrees(joint)] as const,
   );
   return (
-    <section class="card" aria-labelledby="last-known">
+    <section class="card phones" aria-labelledby="last-known">
       <h2 id="last-known">{t.phones.lastKnown}</h2>
       <Figures
         list={[

@@ -4,6 +4,7 @@ import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import { degrees } from "../format/numbers";
 import { t } from "../texts";
+import { axisNumbers } from "./axis-numbers";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
 import { drawLine, useCursor } from "./cursor";
@@ -98,6 +99,7 @@ function panelOptions(
   const axis = {
     stroke: colour("plot-axis"),
     font: AXIS_FONT,
+    values: axisNumbers,
     grid: { stroke: colour("plot-grid"), width: 1 },
   };
   const options: Omit<uPlot.Options, "width" | "height"> = {

@@ -74,6 +74,7 @@ fn start_of(plan: &KnownPlan, key: Option<&str>) -> StartRequest {
         plan: plan.plan.hash().to_owned(),
         id: None,
         key: key.map(str::to_owned),
+        hold: false,
     }
 }
 
@@ -93,7 +94,7 @@ async fn two_robots_move_at_once_and_stopping_one_leaves_the_other_moving() {
     assert!(
         app.state
             .store
-            .reproductions(None)
+            .reproductions(None, 200)
             .await
             .unwrap()
             .is_empty()

@@ -8,6 +8,8 @@ mod faults;
 mod join;
 mod learning;
 mod live;
+mod people;
+mod positions;
 mod robot;
 mod tasks;
 
@@ -46,6 +48,8 @@ struct Answer {
     status: StatusCode,
     headers: HeaderMap,
     text: String,
+    /// How long the body is.
+    bytes: usize,
 }
 
 impl Answer {
@@ -106,6 +110,7 @@ impl Api {
             id: "none".to_owned(),
             name: "No robot".to_owned(),
             limits: RobotLimits::gofa5(),
+            continuous_run: true,
             robot,
         };
         let state = AppState::new(store, clock.clone(), vec![none], gatekeeper);
@@ -133,7 +138,8 @@ impl Api {
         Answer {
             status: parts.status,
             headers: parts.headers,
-            text: String::from_utf8(bytes.to_vec()).unwrap(),
+            text: String::from_utf8_lossy(&bytes).into_owned(),
+            bytes: bytes.len(),
         }
     }
 

@@ -37,7 +37,6 @@ export function CertificateGuide() {
         options={PLATFORMS.map((value) => ({ value, name: t.phones.platforms[value] }))}
         value={kind.value}
         onChoose={(value) => (kind.value = value)}
-        row
       />
       <ol class="steps">
         {t.phones.steps[kind.value].map((step) => (
@@ -46,32 +45,28 @@ export function CertificateGuide() {
       </ol>
       <p role="status">{trusted.value === null ? t.phones.looking : t.phones.notTrusted}</p>
       <p>{t.phones.goOnMeans}</p>
+      <Button icon="next" onPress={() => leave(false)}>
+        {t.phones.goOn}
+      </Button>
     </>
   );
 }
 
 export function CertificateActions() {
-  const leave = (secured: boolean) => {
-    location.href = onwards(secured);
-    // Without HTTPS only the part behind the # is another one, and the code is read at the start.
-    if (!secured) location.reload();
-  };
-  if (trusted.value) {
-    return (
-      <Button look="primary" icon="next" onPress={() => leave(true)}>
-        {t.phones.openSecured}
-      </Button>
-    );
-  }
-  return (
-    <>
-      <Button icon="next" onPress={() => leave(false)}>
-        {t.phones.goOn}
-      </Button>
-      <a class="button button-primary" href={certificateFile}>
-        <Icon name="download" />
-        <span>{t.phones.certificate}</span>
-      </a>
-    </>
+  return trusted.value ? (
+    <Button look="primary" icon="next" onPress={() => leave(true)}>
+      {t.phones.openSecured}
+    </Button>
+  ) : (
+    <a class="button button-primary" href={certificateFile}>
+      <Icon name="download" />
+      <span>{t.phones.certificate}</span>
+    </a>
   );
+}
+
+function leave(secured: boolean): void {
+  location.href = onwards(secured);
+  // Without HTTPS only the part behind the # is another one, and the code is read at the start.
+  if (!secured) location.reload();
 }

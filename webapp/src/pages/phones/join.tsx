@@ -45,7 +45,7 @@ function AnotherPhone() {
   }, "join");
   const known = joining.value;
   return (
-    <section class="card" aria-labelledby="add-phone">
+    <section class="card phones" aria-labelledby="add-phone">
       <h2 id="add-phone">{t.phones.add}</h2>
       <LoadNotice load={load} empty={known === null} />
       {known && !known.address && <p>{t.phones.onlyHere}</p>}

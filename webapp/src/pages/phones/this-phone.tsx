@@ -9,7 +9,7 @@ export function ThisPhone() {
   const iphone = platform(navigator.userAgent, navigator.maxTouchPoints) === "iphone";
   const hint = window.isSecureContext && iphone && !isInstalled();
   return (
-    <section class="card" aria-labelledby="this-phone">
+    <section class="card phones" aria-labelledby="this-phone">
       <h2 id="this-phone">{t.phones.thisPhone}</h2>
       <p>{window.isSecureContext ? t.phones.secured : t.phones.insecureMeans}</p>
       {isInstalled() && <p>{t.phones.installed}</p>}

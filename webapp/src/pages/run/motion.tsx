@@ -16,7 +16,8 @@ import { preview, previewWayBack } from "../../state/run-setup";
 import { useWakeLock } from "../../state/wake-lock";
 import { t } from "../../texts";
 import { MotionResult } from "./motion-result";
-import { Pace } from "./pace";
+import { HoldButton } from "./hold-button";
+import { Pace, PaceSteps } from "./pace";
 
 export function MotionPage({ task, motion: id }: { task: string; motion: string }) {
   const load = useLoad(() => loadReproduction(id), id);
@@ -43,10 +44,18 @@ function Moving({ motion }: { motion: string }) {
   const times = run ? t.run.of(duration(run.t_s), duration(run.duration_s)) : "";
   return (
     <Page
-      title={run?.phase === "paused" ? t.run.waiting : t.run.moving}
-      actions={run && <Pace motion={motion} speed={run.speed} paused={run.paused} />}
+      title={titleOf(run)}
+      actions={
+        run &&
+        (run.held === null ? (
+          <Pace motion={motion} speed={run.speed} paused={run.paused} />
+        ) : (
+          <HoldButton motion={motion} />
+        ))
+      }
     >
       <OfflineNotice />
+      {run && run.held !== null && <p>{t.hold.keepClear}</p>}
       <div class="card tone-moving">
         <p class="phase" role="status">
           {(run && phases[run.phase]) ?? t.run.phases.waiting}
@@ -57,9 +66,19 @@ function Moving({ motion }: { motion: string }) {
           words={times}
         />
       </div>
+      {run && run.held !== null && (
+        <section class="pace" aria-label={t.run.pace.title}>
+          <PaceSteps motion={motion} speed={run.speed} />
+        </section>
+      )}
       <LiveTraces />
     </Page>
   );
+}
+
+function titleOf(run: RobotView["run"] | null): string {
+  if (run?.held === false) return t.hold.waits;
+  return run?.phase === "paused" ? t.run.waiting : t.run.moving;
 }
 
 function Finished({ motion }: { motion: Reproduction }) {

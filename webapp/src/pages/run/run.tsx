@@ -15,6 +15,7 @@ export function RunPage() {
   return (
     <Page
       title={t.run.title}
+      first
       actions={
         nothing && (
           <ButtonLink to={{ page: "teach" }} look="primary" icon="teach">
@@ -37,6 +38,9 @@ export function RunPage() {
           </RowLink>
         ))}
       </ul>
+      <ButtonLink to={{ page: "dashboard" }} look="quiet" icon="train">
+        {t.dashboard.open}
+      </ButtonLink>
     </Page>
   );
 }

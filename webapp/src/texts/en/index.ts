@@ -1,6 +1,11 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { control, hold } from "./control";
+import { dashboard } from "./dashboard";
+import { feedback } from "./feedback";
 import { flight } from "./flight";
+import { language } from "./language";
 import { phones } from "./phones";
+import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -8,8 +13,14 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const en = {
+  control,
+  dashboard,
+  feedback,
   flight,
+  hold,
+  language,
   phones,
+  positions,
   robot,
   robots,
   run,
