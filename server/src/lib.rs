@@ -17,6 +17,7 @@ mod http;
 pub mod ids;
 mod jobs;
 mod pairing;
+mod pictures;
 pub mod planning;
 mod plans;
 pub mod program;
@@ -27,6 +28,7 @@ mod store;
 #[cfg(test)]
 mod test_support;
 mod training;
+mod trimming;
 mod uninterrupted;
 mod uploads;
 mod words;

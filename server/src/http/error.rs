@@ -1,5 +1,7 @@
 //! The one place where errors become HTTP answers: RFC 9457 problem documents.
 
+mod teaching;
+
 use std::borrow::Cow;
 
 use axum::Json;
@@ -14,7 +16,6 @@ use crate::agreement::AgreementError;
 use crate::arms::UnknownRobot;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
-use crate::recording::RecordingError;
 use crate::reproducing::ReproducingError;
 use crate::store;
 use crate::training::TrainingError;
@@ -231,28 +232,6 @@ impl From<UnknownRobot> for ApiError {
         Self::new(StatusCode::NOT_FOUND, "robot_unknown", sentence(&error))
             .at(json!({ "field": "robot" }))
             .advise("Choose one of these robots.")
-    }
-}
-
-impl From<RecordingError> for ApiError {
-    fn from(error: RecordingError) -> Self {
-        match error {
-            RecordingError::Robot(error) => error.into(),
-            RecordingError::Store(error) => error.into(),
-            RecordingError::Busy => {
-                Self::conflict("robot_busy", sentence(&error)).advise("Stop that recording first.")
-            }
-            RecordingError::NoVirtualHand => {
-                Self::conflict("no_virtual_hand", sentence(&error)).advise("Guide the arm by hand.")
-            }
-            RecordingError::NotOpen => Self::conflict("wrong_state", sentence(&error)),
-            RecordingError::Closing => Self::new(
-                StatusCode::SERVICE_UNAVAILABLE,
-                "shutting_down",
-                sentence(&error),
-            )
-            .retry_after(5),
-        }
     }
 }
 

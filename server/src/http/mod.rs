@@ -14,6 +14,8 @@ mod health;
 mod jobs;
 mod live;
 mod models;
+mod pauses;
+mod pictures;
 mod plans;
 mod reproductions;
 mod robot;
@@ -26,6 +28,7 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod trims;
 
 pub use state::AppState;
 

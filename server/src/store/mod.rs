@@ -12,6 +12,8 @@ pub mod jobs;
 pub mod leases;
 pub mod models;
 mod pairing;
+pub mod pauses;
+pub mod pictures;
 pub mod recordings;
 pub mod reproductions;
 pub mod samples;
@@ -20,6 +22,7 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 pub mod text;
+pub mod trims;
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -82,7 +85,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 7] = [
+const MIGRATIONS: [(i64, &str, &str); 8] = [
     (
         1,
         "tasks and demonstrations",
@@ -117,6 +120,11 @@ const MIGRATIONS: [(i64, &str, &str); 7] = [
         7,
         "flights",
         include_str!("../../../migrations/0007_flights.sql"),
+    ),
+    (
+        8,
+        "pictures pauses and trims",
+        include_str!("../../../migrations/0008_pictures_pauses_and_trims.sql"),
     ),
 ];
 

@@ -7,8 +7,10 @@ mod demonstrations;
 mod faults;
 mod learning;
 mod live;
+mod pictures;
 mod robot;
 mod tasks;
+mod trims;
 
 use std::net::SocketAddr;
 use std::sync::Arc;
