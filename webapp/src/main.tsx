@@ -7,6 +7,7 @@ import "./styles/controls.css";
 import "./styles/content.css";
 import "./styles/plots.css";
 import "./styles/flight.css";
+import "./styles/teaching.css";
 
 const place = document.getElementById("app");
 if (place) render(<App />, place);

@@ -24,6 +24,9 @@ const PATHS = {
   pencil: "M4 20l1-5L16 4l4 4L9 19z",
   dots: "M5 12h.01M12 12h.01M19 12h.01",
   again: "M20 12a8 8 0 1 1-2.5-5.8M20 3v5h-5",
+  cut: "M7 4l9 12M17 4L8 16M6 17.5a2.5 2.5 0 1 0 .01 0zM18 17.5a2.5 2.5 0 1 0 .01 0z",
+  undo: "M4 9h10a5 5 0 0 1 0 10H8M8 5L4 9l4 4",
+  camera: "M3 8h4l2-3h6l2 3h4v11H3zM12 10a3.5 3.5 0 1 0 .01 0z",
   info: "M12 3a9 9 0 1 0 .01 0zM12 11v6m0-10v.5",
   teach: "M4 20c2-6 5-3 7-8s4-6 9-8M20 4l-1 5m1-5l-5 1",
 } as const;

@@ -31,10 +31,17 @@ export function OpenWork() {
           to={{ page: "take", task: take.task_id, take: take.id }}
           label={t.teach.toRecording}
         >
-          <span class="state row-name tone-bad">
-            <Icon name="record" />
-            {t.teach.recordingNow}
-          </span>
+          {take.paused_at_deg ? (
+            <span class="state row-name tone-soft">
+              <Icon name="pause" />
+              {t.teaching.pause.paused}
+            </span>
+          ) : (
+            <span class="state row-name tone-bad">
+              <Icon name="record" />
+              {t.teach.recordingNow}
+            </span>
+          )}
         </RowLink>
       ))}
       {training.map((job) => (

@@ -6,6 +6,11 @@ import { duration } from "../../format/numbers";
 import { TakeSparkline } from "../../plots/sparkline";
 import { t } from "../../texts";
 
+/** How long the stretch is that is used. */
+export function usedS({ trim, duration_s }: Demonstration): number {
+  return trim ? trim.to_s - trim.from_s : duration_s;
+}
+
 export const TAKE_LOOKS: Record<DemonstrationState, { icon: IconName; tone: string }> = {
   preparing: { icon: "clock", tone: "moving" },
   recording: { icon: "record", tone: "bad" },
@@ -70,10 +75,10 @@ function TakeRow({ task, take, agreement }: TakeProps) {
       to={{ page: "take", task, take: take.id }}
       label={t.teach.openTake(take.take, state, words)}
     >
-      {closed && <TakeSparkline take={take.id} />}
+      {closed && <TakeSparkline take={take.id} trim={take.trim} />}
       <span class="row-name">
         <strong>
-          {t.teach.take(take.take)} · {duration(take.duration_s)}
+          {t.teach.take(take.take)} · {duration(usedS(take))}
         </strong>
         <span class="row-states">
           <span class={`state tone-${look.tone}`}>
