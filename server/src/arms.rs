@@ -6,6 +6,7 @@ use std::sync::Arc;
 use motion::limits::RobotLimits;
 use robot::Robot;
 
+use crate::control::Control;
 use crate::recording::Recorder;
 use crate::reproducing::Reproducer;
 
@@ -17,6 +18,8 @@ pub struct StartedRobot {
     pub name: String,
     /// What it may do.
     pub limits: RobotLimits,
+    /// Whether it may move without anybody holding a button.
+    pub continuous_run: bool,
     /// The robot.
     pub robot: Robot,
 }
@@ -29,8 +32,12 @@ pub struct Arm {
     pub name: String,
     /// What it may do.
     pub limits: RobotLimits,
+    /// Whether it may move without anybody holding a button.
+    pub continuous_run: bool,
     /// The robot.
     pub robot: Robot,
+    /// Which phone may make it move.
+    pub control: Control,
     /// Begins and ends recordings from it.
     pub recorder: Recorder,
     /// Has it make motions.

@@ -35,6 +35,8 @@ pub struct RobotSettings {
     pub controller: Option<Controller>,
     /// What it may do.
     pub limits: RobotLimits,
+    /// Whether it may move without anybody holding a button.
+    pub continuous_run: bool,
     /// The signals that people may work on it.
     pub signals: Vec<SignalConfig>,
     /// Silence on the control link after which a motion has failed.
@@ -146,6 +148,7 @@ fn without_file(config: &Config) -> RobotSettings {
         egm_listen,
         controller: None,
         limits: RobotLimits::gofa5(),
+        continuous_run: true,
         signals: RobotConfig::new(kind, egm_listen).signals,
         silence: RobotConfig::new(kind, egm_listen).silence,
     }

@@ -11,6 +11,7 @@ pub mod cell;
 pub mod cli;
 pub mod clock;
 pub mod config;
+mod control;
 mod events;
 mod flight;
 mod http;

@@ -6,6 +6,7 @@ mod cli;
 mod crash;
 mod doctor;
 mod flight;
+mod hold;
 mod in_process;
 mod independent;
 mod pace;

@@ -18,7 +18,15 @@ impl Live {
     /// # Panics
     /// When the server refuses.
     pub async fn connect(base: &str) -> Self {
-        let url = format!("{}/api/v1/live", base.replacen("http", "ws", 1));
+        Self::connect_with(base, "").await
+    }
+
+    /// Connects with a query, such as `?robot=left`.
+    ///
+    /// # Panics
+    /// When the server refuses.
+    pub async fn connect_with(base: &str, query: &str) -> Self {
+        let url = format!("{}/api/v1/live{query}", base.replacen("http", "ws", 1));
         let (socket, _) = connect_async(&url)
             .await
             .unwrap_or_else(|error| panic!("{url}: {error}"));

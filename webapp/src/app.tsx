@@ -6,6 +6,7 @@ import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
+import { LanguagePage } from "./pages/language";
 import { PairingPage } from "./pages/pairing";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
@@ -41,14 +42,14 @@ export function App() {
         <RobotBar />
         {ready && <Sections />}
       </header>
-      {ready ? (
+      {ready || route.value.page === "language" ? (
         <Screen route={route.value} />
       ) : open ? (
         <RobotsPage />
       ) : mustPair.value ? (
         <PairingPage problem={load.problem} />
       ) : (
-        <Page title={t.app.name}>
+        <Page title={t.app.name} first>
           <LoadNotice load={load} empty />
         </Page>
       )}
@@ -60,7 +61,8 @@ export function App() {
 function Sections() {
   const run: ReadonlySet<Route["page"]> = new Set(["run", "setup", "preview", "motion"]);
   const { page: shown } = route.value;
-  const here = shown === "robots" ? "robots" : run.has(shown) ? "run" : "teach";
+  const here =
+    shown === "robots" || shown === "language" ? shown : run.has(shown) ? "run" : "teach";
   const tab = (page: "teach" | "run", icon: IconName) => (
     <a href={link({ page } as Target)} aria-current={here === page ? "page" : undefined}>
       <Icon name={icon} />
@@ -94,6 +96,8 @@ function Screen({ route }: { route: Route }) {
       return <ModelPage key={route.model} task={route.task} model={route.model} />;
     case "robots":
       return <RobotsPage key="robots" />;
+    case "language":
+      return <LanguagePage key="language" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

@@ -8,6 +8,7 @@ import "./styles/content.css";
 import "./styles/plots.css";
 import "./styles/flight.css";
 import "./styles/teaching.css";
+import "./styles/language.css";
 
 const place = document.getElementById("app");
 if (place) render(<App />, place);

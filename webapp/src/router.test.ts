@@ -11,6 +11,7 @@ test("every screen has an address that leads back to it", () => {
     { page: "take", task: "t", take: "d 1" },
     { page: "model", task: "t", model: "m" },
     { page: "robots" },
+    { page: "language" },
     { page: "run" },
     { page: "setup", task: "t" },
     { page: "preview", task: "t" },

@@ -9,6 +9,7 @@ export type Route =
   | { page: "take"; task: string; take: string }
   | { page: "model"; task: string; model: string }
   | { page: "robots" }
+  | { page: "language" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
@@ -32,6 +33,7 @@ export function parse(hash: string): Route {
     if (place === "models" && id !== undefined) return { page: "model", task, model: id };
   }
   if (section === "robots" && task === undefined) return { page: "robots" };
+  if (section === "language" && task === undefined) return { page: "language" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
@@ -58,6 +60,8 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return `#/teach/${encodeURIComponent(route.task)}/models/${encodeURIComponent(route.model)}`;
     case "robots":
       return "#/robots";
+    case "language":
+      return "#/language";
     case "run":
       return "#/run";
     case "setup":

@@ -41,6 +41,7 @@ pub(super) async fn start(
             id: one.id.clone(),
             name: one.name.clone(),
             limits: one.limits.clone(),
+            continuous_run: one.continuous_run,
             robot,
         });
     }

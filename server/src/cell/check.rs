@@ -140,6 +140,8 @@ impl OneRobot<'_> {
             egm_listen,
             controller: self.controller(kind)?,
             limits: self.limits()?,
+            // On a real arm somebody has to allow it in writing.
+            continuous_run: (self.table.continuous_run).unwrap_or(kind == RobotKind::Virtual),
             signals: self.signals(kind)?,
             silence: self.silence(RobotConfig::new(kind, egm_listen).silence)?,
             id,

@@ -33,6 +33,7 @@ pub(super) struct RobotTable {
     pub tool_mm: Option<Spanned<[f64; 3]>>,
     pub refused_wrist_angle_deg: Option<Spanned<f64>>,
     pub silence_limit_ms: Option<Spanned<u64>>,
+    pub continuous_run: Option<bool>,
     #[serde(default)]
     pub keep_out: Vec<Spanned<KeepOutTable>>,
     #[serde(default)]

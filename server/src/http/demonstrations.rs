@@ -10,6 +10,7 @@ use serde::Deserialize;
 use utoipa::{IntoParams, ToSchema};
 
 use super::auth::Actor;
+use super::control::OnPhone;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
 use super::state::AppState;
@@ -82,10 +83,12 @@ pub async fn list(
 pub async fn record(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     Path(task_id): Path<TaskId>,
     Json(new): Json<NewRecording>,
 ) -> Result<(StatusCode, Json<Demonstration>), ApiError> {
     let arm = state.arms.named(new.robot.as_deref())?;
+    arm.claim(phone.as_ref())?;
     let request = RecordingRequest {
         id: new.id.unwrap_or_else(DemonstrationId::new),
         task_id,

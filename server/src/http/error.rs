@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::agreement::AgreementError;
 use crate::arms::UnknownRobot;
+use crate::control::ControlError;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
 use crate::reproducing::ReproducingError;
@@ -235,6 +236,16 @@ impl From<UnknownRobot> for ApiError {
     }
 }
 
+impl From<ControlError> for ApiError {
+    fn from(error: ControlError) -> Self {
+        let status = match error {
+            ControlError::NoPhone => StatusCode::UNPROCESSABLE_ENTITY,
+            ControlError::Controlled { .. } | ControlError::NotYours => StatusCode::CONFLICT,
+        };
+        Self::new(status, error.code(), sentence(&error)).advise(error.advice())
+    }
+}
+
 impl From<ReproducingError> for ApiError {
     fn from(error: ReproducingError) -> Self {
         match error {
@@ -247,6 +258,9 @@ impl From<ReproducingError> for ApiError {
             }
             ReproducingError::OtherRobot { .. } => Self::conflict("other_robot", sentence(&error))
                 .advise("Preview the motion for the robot that shall make it."),
+            ReproducingError::HoldRequired => Self::conflict("hold_required", sentence(&error))
+                .advise("Start it from a phone, and hold the button while the arm moves."),
+            ReproducingError::NotRunning => Self::conflict("wrong_state", sentence(&error)),
             ReproducingError::KeyReused => Self::unprocessable(
                 "idempotency_key_reused",
                 "Idempotency-Key",

@@ -15,12 +15,15 @@ use tokio::time::{MissedTickBehavior, interval};
 use utoipa::IntoParams;
 
 use super::auth::Actor;
+use super::control::phone;
 use super::error::{ApiError, Problem};
 use super::extract::Query;
 use super::robot::RobotAnswer;
 use super::state::AppState;
 use crate::arms::Arm;
+use crate::control::Phone;
 use crate::events::Event;
+use crate::ids::ReproductionId;
 use crate::store;
 use crate::store::demonstrations::{Demonstration, DemonstrationState};
 use crate::store::jobs::Job;
@@ -56,6 +59,10 @@ struct RobotNow {
 pub struct Watched {
     /// Its identifier; the first robot when it is missing.
     robot: Option<String>,
+    /// The phone that watches, when it is one: its identifier ...
+    phone: Option<String>,
+    /// ... and what people call it.
+    phone_name: Option<String>,
 }
 
 /// What a client may send.
@@ -63,11 +70,23 @@ pub struct Watched {
 #[serde(tag = "type", rename_all = "snake_case")]
 enum Command {
     Stop,
+    Hold { reproduction: ReproductionId },
+    LetGo,
+}
+
+/// Who is at the other end of a socket.
+struct Client {
+    actor: String,
+    phone: Option<Phone>,
 }
 
 /// Opens the live socket of one robot: first a message of type "snapshot", then "robot",
 /// "demonstration", "job", "model" and "reproduction" as they change. What other robots record is
 /// told when it is over. A client may send {"type": "stop"}, which stops this robot.
+///
+/// A motion that was started with "hold" moves only while {"type": "hold", "reproduction": …} comes
+/// at least every 180 ms (send it every 50 ms); {"type": "let_go"}, silence and a lost socket bring
+/// the arm to a standstill on its path, from where it goes on when it is held again.
 #[utoipa::path(get, path = "/live", tag = "robots", params(Watched), responses(
     (status = 101, description = "The socket is open"),
     (status = 404, description = "There is no such robot", body = Problem, content_type = "application/problem+json"),
@@ -80,21 +99,26 @@ pub async fn open(
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> Result<Response, ApiError> {
     let robot = state.arms.named(watched.robot.as_deref())?.id.clone();
+    let name = watched.phone_name.unwrap_or_default();
+    let phone = watched.phone.and_then(|id| phone(&id, &name));
+    let client = Client { actor, phone };
     let upgrade = upgrade?;
     Ok(upgrade
         .max_message_size(LONGEST_MESSAGE)
-        .on_upgrade(move |socket| serve(state, robot, actor, socket)))
+        .on_upgrade(move |socket| serve(state, robot, client, socket)))
 }
 
 /// Runs until either side leaves. Receiving does not wait for sending: a stop gets through even
 /// when the client is too slow to take what is sent to it.
-async fn serve(state: AppState, robot: String, actor: String, socket: WebSocket) {
+async fn serve(state: AppState, robot: String, client: Client, socket: WebSocket) {
     let Ok(arm) = state.arms.named(Some(&robot)) else {
         return;
     };
+    let _watching = client.phone.as_ref().map(|phone| arm.control.watch(phone));
     let (sender, receiver) = socket.split();
+    let mut holds = Holds { arm, held: false };
     tokio::select! {
-        () = receive(&state, arm, &actor, receiver) => {}
+        () = receive(&state, arm, &client, &mut holds, receiver) => {}
         result = send(&state, arm, sender) => {
             if let Err(error) = result {
                 tracing::debug!(%error, "a live socket ended");
@@ -104,15 +128,54 @@ async fn serve(state: AppState, robot: String, actor: String, socket: WebSocket)
     }
 }
 
-async fn receive(state: &AppState, arm: &Arm, actor: &str, mut receiver: SplitStream<WebSocket>) {
+/// Whether this client holds the button. Letting go of the socket lets go of the arm.
+struct Holds<'a> {
+    arm: &'a Arm,
+    held: bool,
+}
+
+impl Holds<'_> {
+    fn hold(&mut self, client: &Client, id: ReproductionId) {
+        let holds =
+            self.arm.claim(client.phone.as_ref()).is_ok() && self.arm.reproducer.hold(id).is_ok();
+        if holds {
+            self.held = true;
+        } else {
+            self.let_go();
+        }
+    }
+
+    fn let_go(&mut self) {
+        if std::mem::take(&mut self.held) {
+            self.arm.robot.let_go();
+        }
+    }
+}
+
+impl Drop for Holds<'_> {
+    fn drop(&mut self) {
+        self.let_go();
+    }
+}
+
+async fn receive(
+    state: &AppState,
+    arm: &Arm,
+    client: &Client,
+    holds: &mut Holds<'_>,
+    mut receiver: SplitStream<WebSocket>,
+) {
     while let Some(Ok(message)) = receiver.next().await {
         match message {
-            Message::Text(text) => {
-                if let Ok(Command::Stop) = serde_json::from_str(&text) {
+            Message::Text(text) => match serde_json::from_str(&text) {
+                Ok(Command::Stop) => {
                     arm.robot.stop();
-                    state.audit(actor, "stopped the arm", &arm.id).await;
+                    state.audit(&client.actor, "stopped the arm", &arm.id).await;
                 }
-            }
+                Ok(Command::Hold { reproduction }) => holds.hold(client, reproduction),
+                Ok(Command::LetGo) => holds.let_go(),
+                Err(_) => {}
+            },
             Message::Close(_) => return,
             Message::Binary(_) | Message::Ping(_) | Message::Pong(_) => {}
         }

@@ -5,6 +5,7 @@
 mod agreement;
 mod assets;
 mod auth;
+mod control;
 mod demonstrations;
 mod error;
 mod extract;

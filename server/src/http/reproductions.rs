@@ -7,13 +7,14 @@ use serde::Deserialize;
 use utoipa::{IntoParams, ToSchema};
 
 use super::auth::Actor;
+use super::control::OnPhone;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
 use super::signals::RunSignalMark;
 use super::state::AppState;
 use super::trajectories::{MaxPoints, RunTrajectory, picks, run_trajectory_of};
 use crate::ids::{ReproductionId, TaskId};
-use crate::reproducing::StartRequest;
+use crate::reproducing::{ReproducingError, StartRequest};
 use crate::store::flights::Stretch;
 use crate::store::reproductions::Reproduction;
 
@@ -28,6 +29,10 @@ pub struct NewReproduction {
     /// The reproduction's identifier; the server makes one when it is missing. The same again
     /// does not start a second motion.
     id: Option<ReproductionId>,
+    /// True: the arm moves only while somebody holds the button on a phone, which says so on the
+    /// live socket.
+    #[serde(default)]
+    hold: bool,
 }
 
 /// Which reproductions.
@@ -50,14 +55,20 @@ pub struct Filter {
 pub async fn start(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     headers: HeaderMap,
     Json(new): Json<NewReproduction>,
 ) -> Result<Response, ApiError> {
     let arm = state.arms.named(new.robot.as_deref())?;
+    arm.claim(phone.as_ref())?;
+    if !new.hold && !arm.continuous_run {
+        return Err(ReproducingError::HoldRequired.into());
+    }
     let request = StartRequest {
         plan: new.plan,
         id: new.id,
         key: idempotency_key(&headers)?,
+        hold: new.hold,
     };
     let reproduction = arm.reproducer.start(request).await?;
     state

@@ -7,11 +7,13 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::auth::Actor;
+use super::control::{OnPhone, moment};
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path};
 use super::signals::SignalAnswer;
 use super::state::AppState;
 use crate::arms::Arm;
+use crate::control::ControlView;
 use crate::recording::HandShowing;
 
 /// A robot as it is now.
@@ -50,6 +52,10 @@ pub struct RobotAnswer {
     run: Option<RunAnswer>,
     /// The signals that may be worked.
     signals: Vec<SignalAnswer>,
+    /// The phone that may make the arm move; nothing when any may.
+    control: Option<ControlView>,
+    /// Whether the arm may move without anybody holding a button.
+    continuous_run: bool,
 }
 
 /// The EGM link.
@@ -92,6 +98,8 @@ pub struct RunAnswer {
     speed: f64,
     /// Whether somebody asked for a pause.
     paused: bool,
+    /// Whether somebody holds the button; nothing when the arm moves by itself.
+    held: Option<bool>,
 }
 
 impl RobotAnswer {
@@ -108,6 +116,7 @@ impl RobotAnswer {
             duration_s: run.duration_s,
             speed: run.speed,
             paused: run.paused,
+            held: run.held,
         };
         Self {
             id: arm.id.clone(),
@@ -135,6 +144,8 @@ impl RobotAnswer {
             }),
             run: view.run.map(run),
             signals: view.signals.iter().map(SignalAnswer::of).collect(),
+            control: arm.control.view(moment(view)),
+            continuous_run: arm.continuous_run,
         }
     }
 }
@@ -220,9 +231,11 @@ pub async fn stop(
 pub async fn reset(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     Path(robot): Path<String>,
 ) -> Result<Json<RobotAnswer>, ApiError> {
     let arm = state.arms.named(Some(&robot))?;
+    arm.claim(phone.as_ref())?;
     arm.robot.reset().await?;
     state.audit(&actor, "acknowledged a fault", &arm.id).await;
     Ok(Json(RobotAnswer::now(arm)))
@@ -237,10 +250,15 @@ pub async fn reset(
 pub async fn lead_through(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     Path(robot): Path<String>,
     Json(LeadThrough { active }): Json<LeadThrough>,
 ) -> Result<Json<RobotAnswer>, ApiError> {
     let arm = state.arms.named(Some(&robot))?;
+    // Making it stiff again takes nothing away from anybody.
+    if active {
+        arm.claim(phone.as_ref())?;
+    }
     arm.recorder.set_free(active).await?;
     let action = if active {
         "made the arm soft"
@@ -259,10 +277,12 @@ pub async fn lead_through(
 ))]
 pub async fn virtual_hand(
     State(state): State<AppState>,
+    OnPhone(phone): OnPhone,
     Path(robot): Path<String>,
     Json(wish): Json<HandWish>,
 ) -> Result<StatusCode, ApiError> {
     let arm = state.arms.named(Some(&robot))?;
+    arm.claim(phone.as_ref())?;
     let HandWish {
         action: HandAction::Return,
         script,

@@ -12,8 +12,8 @@ use utoipa_axum::routes;
 
 use super::state::AppState;
 use super::{
-    agreement, assets, auth, demonstrations, flights, headers, health, jobs, live, models, pauses,
-    pictures, plans, reproductions, robot, run_control, session, signals, tasks, trims,
+    agreement, assets, auth, control, demonstrations, flights, headers, health, jobs, live, models,
+    pauses, pictures, plans, reproductions, robot, run_control, session, signals, tasks, trims,
 };
 
 /// Requests are small; only recorded files are not.
@@ -84,6 +84,7 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(robot::lead_through))
         .routes(routes!(robot::virtual_hand))
         .routes(routes!(signals::set))
+        .routes(routes!(control::change))
         .routes(routes!(live::open))
         .routes(routes!(plans::create))
         .routes(routes!(reproductions::list, reproductions::start))

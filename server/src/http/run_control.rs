@@ -6,6 +6,7 @@ use serde::Deserialize;
 use utoipa::ToSchema;
 
 use super::auth::Actor;
+use super::control::OnPhone;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path};
 use super::plans::{Plan, answer};
@@ -35,11 +36,17 @@ pub struct Pace {
 pub async fn pace(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     Path(id): Path<ReproductionId>,
     Json(Pace { speed, paused }): Json<Pace>,
 ) -> Result<StatusCode, ApiError> {
     let running = state.store.reproduction(id).await?;
     let arm = state.arms.that_made(running.robot.as_deref());
+    // Whoever sees a reason may let the arm stand still.
+    let only_pauses = paused == Some(true) && speed.is_none();
+    if !only_pauses {
+        arm.claim(phone.as_ref())?;
+    }
     arm.reproducer.pace(&running, speed, paused)?;
     let action = match (paused, speed) {
         (Some(true), _) => "paused a motion",

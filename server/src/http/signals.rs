@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::auth::Actor;
+use super::control::OnPhone;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path};
 use super::robot::RobotAnswer;
@@ -115,10 +116,12 @@ impl RunSignalMark {
 pub async fn set(
     State(state): State<AppState>,
     Actor(actor): Actor,
+    OnPhone(phone): OnPhone,
     Path((robot, name)): Path<(String, String)>,
     Json(SignalWish { on }): Json<SignalWish>,
 ) -> Result<Json<RobotAnswer>, ApiError> {
     let arm = state.arms.named(Some(&robot))?;
+    arm.claim(phone.as_ref())?;
     arm.robot.set_signal(&name, on).await?;
     let action = if on { "set a signal" } else { "reset a signal" };
     state.audit(&actor, action, &name).await;

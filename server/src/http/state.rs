@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::agreement::Agreements;
 use crate::arms::{Arm, Arms, StartedRobot};
 use crate::clock::SharedClock;
+use crate::control::Control;
 use crate::events::Events;
 use crate::jobs::Queue;
 use crate::pairing::Gatekeeper;
@@ -55,6 +56,7 @@ impl AppState {
                 id,
                 name,
                 limits,
+                continuous_run,
                 robot,
             } = started;
             let (s, e, c) = parts();
@@ -65,7 +67,9 @@ impl AppState {
                 id,
                 name,
                 limits,
+                continuous_run,
                 robot,
+                control: Control::default(),
                 recorder,
                 reproducer,
             }

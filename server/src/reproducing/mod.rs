@@ -7,7 +7,7 @@ mod judging;
 mod record;
 mod signals;
 
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 use motion::limits::RobotLimits;
 use robot::{Robot, RobotError, RunHandle, RunOutcome};
@@ -56,6 +56,12 @@ pub enum ReproducingError {
         /// The robot that was to run it.
         robot: String,
     },
+    /// The robot moves only while somebody holds the button.
+    #[error("this robot moves only while somebody holds the button on a phone")]
+    HoldRequired,
+    /// The motion is over, or another one is running.
+    #[error("this motion is not running")]
+    NotRunning,
     /// The client's key or identifier was used for another motion.
     #[error("this start was already used for another motion")]
     KeyReused,
@@ -70,6 +76,8 @@ pub struct StartRequest {
     pub id: Option<ReproductionId>,
     /// The client's key for this start, if it sent one.
     pub key: Option<String>,
+    /// Whether the arm moves only while somebody holds the button.
+    pub hold: bool,
 }
 
 const LEFT_RUNNING: &str = "The server stopped while the arm was moving.";
@@ -83,6 +91,8 @@ struct Inner {
     plans: Arc<Plans>,
     /// The last run; while it is locked nobody else starts one.
     last: Mutex<Option<JoinHandle<()>>>,
+    /// The motion that moves only while the button is held, from its start on.
+    held: std::sync::Mutex<Option<ReproductionId>>,
 }
 
 #[derive(Clone)]
@@ -127,6 +137,7 @@ impl Reproducer {
             },
             plans,
             last: Mutex::new(None),
+            held: std::sync::Mutex::default(),
         }))
     }
 
@@ -203,7 +214,14 @@ impl Reproducer {
             .store
             .create_reproduction(new, tools.clock.now())
             .await?;
-        match tools.robot.run(Arc::clone(&plan.plan)).await {
+        self.set_held(request.hold.then_some(reproduction.id));
+        let run = Arc::clone(&plan.plan);
+        let begun = if request.hold {
+            tools.robot.run_while_held(run).await
+        } else {
+            tools.robot.run(run).await
+        };
+        match begun {
             Ok(handle) => {
                 tools.events.tell(&reproduction);
                 let watch = watch(tools.clone(), reproduction.id, plan, handle);
@@ -250,6 +268,22 @@ impl Reproducer {
             tools.robot.set_paused(paused)?;
         }
         Ok(())
+    }
+
+    /// Somebody holds the button for this motion at this moment.
+    ///
+    /// # Errors
+    /// When another motion, or none, moves while it is held.
+    pub fn hold(&self, id: ReproductionId) -> Result<(), ReproducingError> {
+        let held = *self.0.held.lock().unwrap_or_else(PoisonError::into_inner);
+        if held != Some(id) {
+            return Err(ReproducingError::NotRunning);
+        }
+        Ok(self.0.tools.robot.hold()?)
+    }
+
+    fn set_held(&self, id: Option<ReproductionId>) {
+        *self.0.held.lock().unwrap_or_else(PoisonError::into_inner) = id;
     }
 
     /// Plans the way back of a motion that is over.

@@ -15,14 +15,14 @@ export function recording({ size = 1, spoil = (row) => row } = {}) {
   return `${[HEADER, ...rows].join("\n")}\n`;
 }
 
-async function post(path, options) {
+export async function post(path, options) {
   const response = await fetch(new URL(`/api/v1${path}`, BASE_URL), { method: "POST", ...options });
   const text = await response.text();
   assert.ok(response.ok, `${path}: ${text}`);
   return text === "" ? null : JSON.parse(text);
 }
 
-const json = (body) => ({
+export const json = (body) => ({
   body: JSON.stringify(body),
   headers: { "Content-Type": "application/json" },
 });

@@ -25,14 +25,17 @@ export async function openBrowser() {
 }
 
 /** A fresh phone without history. Errors in the page make the test fail at `hangUp`. */
-export async function newPhone(browser, { viewport = USUAL, colorScheme = "light" } = {}) {
+export async function newPhone(
+  browser,
+  { viewport = USUAL, colorScheme = "light", locale = "en-GB" } = {},
+) {
   const context = await browser.newContext({
     viewport,
     colorScheme,
     deviceScaleFactor: 2,
     hasTouch: true,
     isMobile: true,
-    locale: "en-GB",
+    locale,
   });
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();

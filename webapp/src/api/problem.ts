@@ -1,4 +1,5 @@
 // Errors as the worker sees them: what was wrong, where, and what to do.
+import { atMost } from "../format/numbers";
 import { t } from "../texts";
 
 export interface ProblemDocument {
@@ -50,7 +51,7 @@ function describeWhere(where: unknown): string | null {
   if (typeof where !== "object" || where === null) return null;
   const parts = Object.entries(where).flatMap(([key, value]) => {
     const words = t.problems.places[key];
-    const plain = typeof value === "number" ? String(Number(value.toFixed(2))) : value;
+    const plain = typeof value === "number" ? atMost(value, 2) : value;
     return words && typeof plain === "string" ? [words(plain)] : [];
   });
   return parts.length > 0 ? parts.join(", ") : null;

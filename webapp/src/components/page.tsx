@@ -6,15 +6,18 @@ import type { Target } from "../state/navigation";
 import { t } from "../texts";
 import { FaultNotice } from "./fault-notice";
 import { Icon } from "./icon";
+import { LanguageLink } from "./language-link";
 
 interface Props {
   title: string;
   back?: Target;
+  /** One of the first screens a person sees: their language can be chosen here. */
+  first?: boolean;
   actions?: ComponentChildren;
   children?: ComponentChildren;
 }
 
-export function Page({ title, back, actions, children }: Props) {
+export function Page({ title, back, first, actions, children }: Props) {
   const heading = useRef<HTMLHeadingElement>(null);
   // A new screen starts at its title, for screen readers and keyboards too.
   useEffect(() => heading.current?.focus({ preventScroll: true }), []);
@@ -31,6 +34,7 @@ export function Page({ title, back, actions, children }: Props) {
           <h1 ref={heading} tabIndex={-1}>
             {title}
           </h1>
+          {first && <LanguageLink />}
         </div>
         {children}
       </main>

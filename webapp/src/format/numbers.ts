@@ -1,11 +1,31 @@
-// Numbers as people read and type them.
-import { t } from "../texts";
+// Numbers as people of this phone's country read and type them.
+import { locale, t } from "../texts";
+
+/** Making one of these is slow, and the same few are wanted many times a second. */
+const FORMS = new Map<string, Intl.NumberFormat>();
+
+function written(value: number, digits: Intl.NumberFormatOptions): string {
+  const key = JSON.stringify(digits);
+  const form = FORMS.get(key) ?? new Intl.NumberFormat(locale, { useGrouping: false, ...digits });
+  FORMS.set(key, form);
+  return form.format(value).replace("-", "−");
+}
 
 /** A number with a fixed count of decimals, and a proper minus sign. */
 export function fixed(value: number, decimals: number): string {
-  const text = value.toFixed(decimals);
-  const zero = Number(text) === 0;
-  return zero ? text.replace("-", "") : text.replace("-", "−");
+  const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
+  return written(Number(value.toFixed(decimals)) === 0 ? 0 : value, digits);
+}
+
+/** A number with so many decimals at the most. */
+export function atMost(value: number, decimals: number): string {
+  const digits = { maximumFractionDigits: decimals };
+  return written(Number(value.toFixed(decimals)) === 0 ? 0 : value, digits);
+}
+
+/** A number of unknown size, by its first digits that are not nought. */
+export function significant(value: number, digits: number): string {
+  return written(value, { minimumSignificantDigits: digits, maximumSignificantDigits: digits });
 }
 
 export function degrees(value: number, decimals = 1): string {

@@ -15,6 +15,7 @@ export function PairingPage({ problem }: { problem: Problem | null }) {
   return (
     <Page
       title={t.pairing.title}
+      first
       actions={
         <Button
           look="primary"

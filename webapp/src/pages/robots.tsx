@@ -22,7 +22,7 @@ export function RobotsPage() {
   }, [load.again]);
   const list = robots.value;
   return (
-    <Page title={t.robots.title}>
+    <Page title={t.robots.title} first>
       {load.problem && <LoadNotice load={load} empty={list.length === 0} />}
       <p>{robotId.value === "" ? t.robots.chooseFirst : t.robots.choose}</p>
       <ul class="rows">

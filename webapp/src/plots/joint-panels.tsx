@@ -5,6 +5,7 @@ import type uPlot from "uplot";
 import type { Trim } from "../api/types";
 import { degrees } from "../format/numbers";
 import { t } from "../texts";
+import { axisNumbers } from "./axis-numbers";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
 import { drawCut, drawLine, useCursor } from "./cursor";
@@ -113,6 +114,7 @@ function panelOptions(
   const axis = {
     stroke: colour("plot-axis"),
     font: AXIS_FONT,
+    values: axisNumbers,
     grid: { stroke: colour("plot-grid"), width: 1 },
   };
   const options: Omit<uPlot.Options, "width" | "height"> = {

@@ -5,6 +5,7 @@ import type uPlot from "uplot";
 import { recentJoints } from "../state/live";
 import { JointRing } from "../live/ring-buffer";
 import { t } from "../texts";
+import { axisNumbers, axisSeconds } from "./axis-numbers";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
 import { JointLegend, jointSeries } from "./joint-legend";
@@ -54,9 +55,15 @@ function options(): Omit<uPlot.Options, "width" | "height"> {
         size: 24,
         gap: 2,
         grid: { show: false },
-        values: (_, at) => at.map((s) => `${s} s`),
+        values: axisSeconds,
       },
-      { ...axis, size: 48, gap: 4, grid: { stroke: colour("plot-grid"), width: 1 } },
+      {
+        ...axis,
+        values: axisNumbers,
+        size: 48,
+        gap: 4,
+        grid: { stroke: colour("plot-grid"), width: 1 },
+      },
     ],
   };
 }

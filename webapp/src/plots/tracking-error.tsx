@@ -4,6 +4,7 @@ import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import { degrees } from "../format/numbers";
 import { t } from "../texts";
+import { axisNumbers } from "./axis-numbers";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
 import { drawLine, useCursor } from "./cursor";
@@ -37,7 +38,12 @@ export function TrackingError({ timesS, errorsDeg, marksS, cursor }: Props) {
 }
 
 function options(marksS: readonly number[], cursor: ReadonlySignal<number>) {
-  const axis = { stroke: colour("plot-axis"), font: AXIS_FONT, ticks: { show: false } };
+  const axis = {
+    stroke: colour("plot-axis"),
+    font: AXIS_FONT,
+    ticks: { show: false },
+    values: axisNumbers,
+  };
   const grid = { stroke: colour("plot-grid"), width: 1 };
   const options: Omit<uPlot.Options, "width" | "height"> = {
     ...PLAIN,

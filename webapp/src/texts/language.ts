@@ -19,6 +19,11 @@ export function pickLanguage(
   return wanted.find((code) => available.includes(code)) ?? available[0] ?? "en";
 }
 
+/** The language with the country of this phone, where the phone says one: numbers differ by it. */
+export function regionalForm(language: string, preferred: readonly string[]): string {
+  return preferred.find((tag) => tag.toLowerCase().split("-")[0] === language) ?? language;
+}
+
 export function rememberedLanguage(): string | null {
   try {
     return localStorage.getItem(REMEMBERED);

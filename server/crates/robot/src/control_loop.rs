@@ -11,8 +11,9 @@ use egm::session::{Beginning, Counters, Hold, Received, Session, SessionConfig};
 use egm::{ControllerTime, RobotFeedback, encode_correction, read_feedback};
 use motion::JointAngles;
 use motion::limits::RobotLimits;
-use motion::plan::Setpoint;
+use motion::plan::{Plan, Setpoint};
 use std::net::SocketAddr;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Messages that may be lost in a row without the arm being stopped. A cable loses none; what
@@ -74,6 +75,7 @@ struct Active {
     run: u64,
     stops: u64,
     armed_us: u64,
+    held: bool,
     player: Player,
     /// Why the arm is being brought to rest, when nobody asked for it.
     trouble: Option<LoopEnd>,
@@ -167,10 +169,11 @@ impl ControlLoop {
         let received = self.latest?;
         let elapsed_s = self.session.pending_us() as f64 * 1e-6;
         let flags = &self.links.flags;
+        let now_us = self.latest_us;
         let step = self.active.as_mut().map(|active| {
             let orders = Orders {
                 stop: flags.stops() != active.stops || active.trouble.is_some(),
-                pause: flags.is_paused(),
+                pause: flags.is_paused() || (active.held && !flags.is_held(now_us)),
                 speed: flags.speed(),
             };
             active.player.advance(elapsed_s, &received.measured, orders)
@@ -255,15 +258,20 @@ impl ControlLoop {
                     self.bring_to_rest(LoopEnd::Disarmed);
                     self.session.release();
                 }
-                Command::Arm { run, stops, plan } => {
+                Command::Arm {
+                    run,
+                    stops,
+                    plan,
+                    held,
+                } => {
                     self.end_run(LoopEnd::Disarmed);
-                    self.arm(run, stops, plan);
+                    self.arm(run, stops, plan, held);
                 }
             }
         }
     }
 
-    fn arm(&mut self, run: u64, stops: u64, plan: std::sync::Arc<motion::plan::Plan>) {
+    fn arm(&mut self, run: u64, stops: u64, plan: Arc<Plan>, held: bool) {
         self.state.run = Some(RunState {
             run,
             phase: RunPhase::Approach,
@@ -279,7 +287,8 @@ impl ControlLoop {
                     run,
                     stops,
                     armed_us: self.latest_us,
-                    player,
+                    held,
+                    player: if held { player.waiting() } else { player },
                     trouble: None,
                 });
                 return;

@@ -49,6 +49,7 @@ pub(crate) struct FlightWriter {
     controller: Option<ControllerState>,
     stop_seen: bool,
     speed: f64,
+    held: Option<bool>,
     cycles: Vec<CycleRecord>,
     events: Vec<FlightEvent>,
     last_us: u64,
@@ -66,6 +67,7 @@ impl FlightWriter {
             controller: None,
             stop_seen: false,
             speed: 1.0,
+            held: None,
             cycles: Vec::with_capacity(CHUNK_CYCLES),
             events: Vec::new(),
             last_us: 0,
@@ -123,6 +125,16 @@ impl FlightWriter {
             self.speed = share;
             let words = format!("The speed is set to {:.0} %.", share * 100.0);
             self.event("speed", words);
+        }
+    }
+
+    /// Notes when the button of a run that moves only while it is held is pressed and let go.
+    pub(crate) fn see_hold(&mut self, held: Option<bool>) {
+        let before = std::mem::replace(&mut self.held, held);
+        match (before, held) {
+            (Some(false) | None, Some(true)) => self.event("held", "The button is being held."),
+            (Some(true), Some(false)) => self.event("let_go", "The button was let go."),
+            _ => {}
         }
     }
 

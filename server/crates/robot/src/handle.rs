@@ -12,7 +12,7 @@ use crate::view::{RobotState, RobotView};
 use motion::plan::Plan;
 use std::net::SocketAddr;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use tokio::sync::{Notify, mpsc, oneshot, watch};
 use tracing::Instrument;
 
@@ -28,7 +28,13 @@ pub struct Robot {
     requests: mpsc::Sender<Request>,
     flags: Arc<Flags>,
     stop: Arc<Notify>,
+    /// The zero of the program's time.
+    epoch: Instant,
 }
+
+/// How long the arm goes on after the last word that the button is held. Short, since everything
+/// may have happened to the phone meanwhile; longer than Wi-Fi keeps a message waiting.
+pub const HOLD: Duration = Duration::from_millis(180);
 
 impl Robot {
     /// Binds the EGM port and starts the control thread and the supervisor. The controller need
@@ -69,6 +75,7 @@ impl Robot {
             requests,
             flags,
             stop,
+            epoch,
         })
     }
 
@@ -117,8 +124,44 @@ impl Robot {
     /// # Errors
     /// Unless the arm is idle and stands within 1 deg of the plan's first sample.
     pub async fn run(&self, plan: Arc<Plan>) -> Result<RunHandle, RobotError> {
+        self.begin(plan, false).await
+    }
+
+    /// Runs a plan, moving only while somebody holds the button ([`Robot::hold`]): from its first
+    /// cycle on, and the arm slows down to standstill on its path as soon as nobody does.
+    ///
+    /// # Errors
+    /// As [`Robot::run`].
+    pub async fn run_while_held(&self, plan: Arc<Plan>) -> Result<RunHandle, RobotError> {
+        self.begin(plan, true).await
+    }
+
+    async fn begin(&self, plan: Arc<Plan>, held: bool) -> Result<RunHandle, RobotError> {
         let stops = self.flags.stops();
-        self.ask(|reply| Request::Run { stops, plan, reply }).await
+        self.ask(|reply| Request::Run {
+            stops,
+            plan,
+            held,
+            reply,
+        })
+        .await
+    }
+
+    /// Somebody holds the button at this moment; it counts for [`HOLD`] and is to be said again
+    /// before that is over. The control thread itself watches that time.
+    ///
+    /// # Errors
+    /// [`RobotError::NotRunning`] when nothing runs.
+    pub fn hold(&self) -> Result<(), RobotError> {
+        self.check_runs()?;
+        let until = self.epoch.elapsed() + HOLD;
+        self.flags.hold_until(until.as_micros() as u64);
+        Ok(())
+    }
+
+    /// Nobody holds the button any more.
+    pub fn let_go(&self) {
+        self.flags.let_go();
     }
 
     /// Stops whatever the arm does; also makes a soft arm stiff. Never waits, never fails, and is

@@ -36,7 +36,7 @@ pub use config::{RobotConfig, RobotKind};
 pub use error::{Fault, RobotError};
 pub use flight::{FlightChunk, FlightEvent};
 pub use guidance::{GuidanceEvent, GuidanceSample, HandActivity, HandCommand, HandScript};
-pub use handle::Robot;
+pub use handle::{HOLD, Robot};
 pub use player::{RunPhase, SLOWEST};
 pub use run::{CycleRecord, RunEnd, RunHandle, RunOutcome, RunProgress};
 pub use signals::{SignalConfig, SignalSet, SignalView};

@@ -23,6 +23,8 @@ pub(crate) enum Command {
         stops: u64,
         /// What to play.
         plan: Arc<Plan>,
+        /// It moves only while [`Flags::is_held`].
+        held: bool,
     },
     /// Hold, and let no setpoint through until armed again.
     Disarm,
@@ -44,6 +46,9 @@ pub(crate) struct Flags {
     streaming: AtomicBool,
     real_time: AtomicBool,
     paused: AtomicBool,
+    /// Until when somebody holds the button of a run that moves only then, since the start of
+    /// the program.
+    held_until_us: AtomicU64,
     /// What is missing to full speed, so that the default is full speed, 1/1000.
     slower_by: AtomicU32,
 }
@@ -74,6 +79,19 @@ impl Flags {
 
     pub(crate) fn set_paused(&self, paused: bool) {
         self.paused.store(paused, Ordering::Release);
+    }
+
+    /// Whether somebody holds the button at this instant, since the start of the program.
+    pub(crate) fn is_held(&self, now_us: u64) -> bool {
+        now_us <= self.held_until_us.load(Ordering::Acquire)
+    }
+
+    pub(crate) fn hold_until(&self, until_us: u64) {
+        self.held_until_us.store(until_us, Ordering::Release);
+    }
+
+    pub(crate) fn let_go(&self) {
+        self.hold_until(0);
     }
 
     /// Speed of the present run as a share of its plan's.

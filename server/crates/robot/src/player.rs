@@ -171,6 +171,15 @@ impl Player {
         })
     }
 
+    /// The same, standing still until it may move.
+    #[must_use]
+    pub fn waiting(self) -> Self {
+        Self {
+            speed: PathSpeed::steady(0.0),
+            ..self
+        }
+    }
+
     /// Gives the plan back.
     #[must_use]
     pub fn into_plan(self) -> Arc<Plan> {

@@ -33,6 +33,8 @@ pub struct RunProgress {
     pub speed: f64,
     /// A person asked for a pause.
     pub paused: bool,
+    /// Whether somebody holds the button; nothing when the run goes by itself.
+    pub held: Option<bool>,
 }
 
 /// How a run ended.

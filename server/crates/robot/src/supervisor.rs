@@ -50,6 +50,7 @@ pub(crate) enum Request {
     Run {
         stops: u64,
         plan: Arc<Plan>,
+        held: bool,
         reply: Reply<RunHandle>,
     },
     Reset(Reply<()>),
@@ -233,8 +234,13 @@ impl Supervisor {
         match request {
             Request::StartGuidance { stops, reply } => self.start_guidance(stops, reply),
             Request::StopGuidance(reply) => self.stop_guidance(reply),
-            Request::Run { stops, plan, reply } => {
-                let _ = reply.send(self.start_run(stops, plan));
+            Request::Run {
+                stops,
+                plan,
+                held,
+                reply,
+            } => {
+                let _ = reply.send(self.start_run(stops, plan, held));
             }
             Request::Reset(reply) => {
                 let _ = reply.send(self.reset());

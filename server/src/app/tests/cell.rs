@@ -74,6 +74,7 @@ fn start_of(plan: &KnownPlan, key: Option<&str>) -> StartRequest {
         plan: plan.plan.hash().to_owned(),
         id: None,
         key: key.map(str::to_owned),
+        hold: false,
     }
 }
 

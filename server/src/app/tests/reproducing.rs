@@ -88,6 +88,7 @@ async fn a_motion_is_started_once_and_judged_by_what_was_measured() {
         plan: plan.plan.hash().to_owned(),
         id: None,
         key: Some("once".into()),
+        hold: false,
     };
     let reproducer = &arm(&app).reproducer;
     let begun = reproducer.start(start.clone()).await.unwrap();
@@ -130,6 +131,7 @@ async fn a_motion_is_started_once_and_judged_by_what_was_measured() {
         plan: plan.plan.hash().to_owned(),
         id: None,
         key: None,
+        hold: false,
     };
     let moved = reproducer.start(again).await;
     let Err(ReproducingError::Robot(error)) = moved else {
@@ -150,6 +152,7 @@ async fn a_motion_can_be_stopped_and_says_so() {
         plan: plan.plan.hash().to_owned(),
         id: None,
         key: None,
+        hold: false,
     };
     let begun = arm(&app).reproducer.start(start).await.unwrap();
     let mut view = arm(&app).robot.view();

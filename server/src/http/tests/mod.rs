@@ -107,6 +107,7 @@ impl Api {
             id: "none".to_owned(),
             name: "No robot".to_owned(),
             limits: RobotLimits::gofa5(),
+            continuous_run: true,
             robot,
         };
         let state = AppState::new(store, clock.clone(), vec![none], gatekeeper);

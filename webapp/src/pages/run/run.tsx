@@ -16,6 +16,7 @@ export function RunPage() {
   return (
     <Page
       title={t.run.title}
+      first
       actions={
         nothing && (
           <ButtonLink to={{ page: "teach" }} look="primary" icon="teach">

@@ -1,7 +1,7 @@
 // The figures of a training, as names and values.
 import type { Model, Report } from "../../api/types";
 import type { Figure } from "../../components/figures";
-import { errorDegrees, fixed, millimetres } from "../../format/numbers";
+import { errorDegrees, fixed, millimetres, significant } from "../../format/numbers";
 import { t } from "../../texts";
 
 /** Figures that the report lacks come with null and are not shown. */
@@ -17,7 +17,7 @@ export function modelFigures(model: Model, report: Report): Figure[] {
     [names.k, show(report.k, String)],
     [names.alpha_z, show(report.alpha_z, (value) => fixed(value, 2))],
     [names.n_basis, show(report.n_basis, String)],
-    [names.objective, show(report.objective, (value) => value.toPrecision(4))],
+    [names.objective, show(report.objective, (value) => significant(value, 4))],
     [names.trials, show(report.bo_calls, String)],
     [names.takes, String(model.demonstrations.length)],
     [names.method, model.method],

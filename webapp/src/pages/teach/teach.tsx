@@ -17,6 +17,7 @@ export function TeachPage() {
   return (
     <Page
       title={t.teach.title}
+      first
       actions={
         <ButtonLink to={{ page: "new-task" }} look="primary" icon="plus">
           {t.teach.newTask}

@@ -5,7 +5,7 @@ import { deleteTrim, putTrim, suggestTrim } from "../../api/endpoints";
 import type { Demonstration, Trim } from "../../api/types";
 import { Button } from "../../components/button";
 import { Notice, ProblemNotice } from "../../components/notice";
-import { duration } from "../../format/numbers";
+import { duration, fixed } from "../../format/numbers";
 import { demonstrations } from "../../state/entities";
 import { useAction, useLoad } from "../../state/hooks";
 import { t } from "../../texts";
@@ -119,16 +119,19 @@ function End({ span, end, lengthS }: EndProps) {
   const name = end === "from_s" ? t.teaching.trim.begins : t.teaching.trim.ends;
   const atS = span.value[end];
   const move = (toS: number) => (span.value = moved(span.peek(), end, toS, lengthS));
-  const step = (word: string, byS: number) => (
-    <button
-      type="button"
-      class="button button-secondary"
-      aria-label={t.teaching.trim.move(name, word)}
-      onClick={() => move(span.peek()[end] + byS)}
-    >
-      {word}
-    </button>
-  );
+  const step = (byS: number) => {
+    const words = t.units.seconds(`${byS > 0 ? "+" : ""}${fixed(byS, 1)}`);
+    return (
+      <button
+        type="button"
+        class="button button-secondary"
+        aria-label={t.teaching.trim.move(name, words)}
+        onClick={() => move(span.peek()[end] + byS)}
+      >
+        {words}
+      </button>
+    );
+  };
   return (
     <div class="trim-end">
       <p>
@@ -136,7 +139,7 @@ function End({ span, end, lengthS }: EndProps) {
         <strong>{duration(atS)}</strong>
       </p>
       <div class="trim-steps">
-        {step(t.teaching.trim.earlier, -STEP_S)}
+        {step(-STEP_S)}
         <input
           type="range"
           aria-label={name}
@@ -147,7 +150,7 @@ function End({ span, end, lengthS }: EndProps) {
           value={atS}
           onInput={(event) => move(event.currentTarget.valueAsNumber)}
         />
-        {step(t.teaching.trim.later, STEP_S)}
+        {step(STEP_S)}
       </div>
     </div>
   );

@@ -1,5 +1,6 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
 import { flight } from "./flight";
+import { language } from "./language";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -9,6 +10,7 @@ import { teaching } from "./teaching";
 
 export const en = {
   flight,
+  language,
   robot,
   robots,
   run,

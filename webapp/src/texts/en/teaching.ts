@@ -36,8 +36,6 @@ export const teaching = {
     explain: "Cut away what does not belong to the motion. Nothing is lost: you can take it back.",
     begins: "Begins at",
     ends: "Ends at",
-    earlier: "−0.1 s",
-    later: "+0.1 s",
     move: (end: string, step: string) => `${end}: ${step}`,
     save: "Cut",
     saving: "Cutting…",

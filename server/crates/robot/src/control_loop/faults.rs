@@ -191,6 +191,7 @@ impl Line {
             run: 1,
             stops: self.supervisor.flags.stops(),
             plan: Arc::new(minimum_jerk_plan(travel_deg, duration_s)),
+            held: false,
         };
         self.supervisor.commands.push(command).unwrap();
         self.armed = true;

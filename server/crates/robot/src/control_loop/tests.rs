@@ -11,6 +11,8 @@ use egm::messages::{
 use motion::plan::Plan;
 use std::sync::Arc;
 
+mod held;
+
 const CYCLE_US: u64 = 4_000;
 
 /// A controller with an arm that follows every reference at once.
@@ -96,6 +98,7 @@ impl Bench {
             run: 7,
             stops: self.supervisor.flags.stops(),
             plan: Arc::clone(&plan),
+            held: false,
         };
         self.supervisor.commands.push(command).unwrap();
         plan

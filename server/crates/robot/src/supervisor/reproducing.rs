@@ -28,6 +28,7 @@ pub(super) struct RunSlot {
     id: u64,
     stops: u64,
     plan: Arc<Plan>,
+    held: bool,
     stage: Stage,
     progress: watch::Sender<RunProgress>,
     outcome: oneshot::Sender<RunOutcome>,
@@ -90,6 +91,7 @@ impl RunSlot {
         }
         self.flight.see_controller(seen.controller.as_ref());
         self.flight.see_speed(self.progress().speed);
+        self.flight.see_hold(self.progress().held);
         if is_stopped {
             self.flight.see_stop();
         }
@@ -106,6 +108,7 @@ impl Supervisor {
         &mut self,
         stops: u64,
         plan: Arc<Plan>,
+        held: bool,
     ) -> Result<RunHandle, RobotError> {
         let client = self.idle_client()?;
         self.check_pose(&plan.first())?;
@@ -113,6 +116,7 @@ impl Supervisor {
         self.runs += 1;
         self.links.flags.set_paused(false);
         self.links.flags.set_speed(1.0);
+        self.links.flags.let_go();
         let duration_s = plan.duration_s();
         let (progress, progress_out) = watch::channel(RunProgress {
             phase: RunPhase::Approach,
@@ -120,6 +124,7 @@ impl Supervisor {
             duration_s,
             speed: 1.0,
             paused: false,
+            held: held.then_some(false),
         });
         let (outcome, outcome_out) = oneshot::channel();
         let (flight, flight_out) = FlightWriter::new();
@@ -128,6 +133,7 @@ impl Supervisor {
             id: self.runs,
             stops,
             plan,
+            held,
             stage: Stage::Starting,
             progress,
             outcome,
@@ -196,6 +202,7 @@ impl Supervisor {
         let egm_is_fresh = self.seen.egm_is_fresh(self.now_us());
         let flags = &self.links.flags;
         let (stops, speed, paused) = (flags.stops(), flags.speed(), flags.is_paused());
+        let is_held = flags.is_held(self.now_us());
         let Mode::Run(slot) = &mut self.mode else {
             return;
         };
@@ -213,6 +220,7 @@ impl Supervisor {
                         run: slot.id,
                         stops: slot.stops,
                         plan: Arc::clone(&slot.plan),
+                        held: slot.held,
                     };
                     if self.links.commands.push(arm).is_ok() {
                         slot.stage = Stage::Moving {
@@ -237,6 +245,7 @@ impl Supervisor {
                         progress.t_s = run.plan_t_s;
                         progress.speed = speed;
                         progress.paused = paused;
+                        progress.held = slot.held.then_some(is_held);
                     });
                 }
                 let never_began = run.is_none() && now >= *since + THREAD_PATIENCE;
