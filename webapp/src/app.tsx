@@ -1,6 +1,7 @@
 // The frame around every screen: robot state and sections on top, Stop at the bottom.
 import { useEffect } from "preact/hooks";
 import { ButtonLink } from "./components/button";
+import { ControlStrip } from "./components/control-strip";
 import { Icon, type IconName } from "./components/icon";
 import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
@@ -40,6 +41,7 @@ export function App() {
     <div class="frame">
       <header>
         <RobotBar />
+        {ready && <ControlStrip />}
         {ready && <Sections />}
       </header>
       {ready || route.value.page === "language" ? (

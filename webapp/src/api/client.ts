@@ -1,4 +1,5 @@
 // The one place that calls `fetch`. What may be asked is in endpoints.ts.
+import { phoneId, phoneName } from "../state/phone";
 import { fromDocument, unreachable, type Problem, type ProblemDocument } from "./problem";
 
 const BASE = "/api/v1";
@@ -22,14 +23,19 @@ export function whenUnauthorised(listener: Listener): void {
 }
 
 export async function request<T>(method: string, path: string, options: Options = {}): Promise<T> {
-  const init: RequestInit = { method, credentials: "same-origin", cache: "no-store" };
+  const headers: Record<string, string> = {
+    "X-Team-Phone": phoneId,
+    // A header holds plain characters only.
+    "X-Team-Phone-Name": encodeURIComponent(phoneName.peek()),
+  };
+  const init: RequestInit = { method, headers, credentials: "same-origin", cache: "no-store" };
   if (options.keepalive) init.keepalive = true;
   if (options.file) {
     init.body = options.file;
-    init.headers = { "Content-Type": options.file.type || "application/octet-stream" };
+    headers["Content-Type"] = options.file.type || "application/octet-stream";
   } else if (options.body !== undefined) {
     init.body = JSON.stringify(options.body);
-    init.headers = { "Content-Type": "application/json" };
+    headers["Content-Type"] = "application/json";
   }
   let response: Response;
   try {

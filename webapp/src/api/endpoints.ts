@@ -99,13 +99,16 @@ export const returnVirtualHand = (robot: string, script: HandScript, seed: numbe
   request<unknown>("POST", `/robots/${robot}/virtual-hand`, {
     body: { action: "return", script, seed },
   });
+export const changeControl = (robot: string, action: "ask" | "give" | "keep" | "release") =>
+  request<unknown>("POST", `/robots/${robot}/control`, { body: { action } });
 /** `signal` is the name as it stands in an address. */
 export const setSignal = (robot: string, signal: string, on: boolean) =>
   request<unknown>("POST", `/robots/${robot}/signals/${signal}`, { body: { on } });
 
 export const makePlan = (body: PlanRequest) => request<Plan>("POST", "/plans", { body });
-export const startReproduction = (id: string, robot: string, plan: string) =>
-  request<Reproduction>("POST", "/reproductions", { body: { id, robot, plan } });
+/** `hold`: the arm moves only while somebody holds the button, said over the live socket. */
+export const startReproduction = (id: string, robot: string, plan: string, hold: boolean) =>
+  request<Reproduction>("POST", "/reproductions", { body: { id, robot, plan, hold } });
 export const changePace = (id: string, pace: { speed?: number; paused?: boolean }) =>
   request<null>("POST", `/reproductions/${id}/pace`, { body: pace }).then(() => undefined);
 export const planWayBack = (id: string) => request<Plan>("POST", `/reproductions/${id}/back`);

@@ -309,10 +309,26 @@ export interface RobotView {
     phase: "approach" | "motion" | "paused" | "settling" | "stopping";
     speed: number;
     paused: boolean;
+    /** Whether somebody holds the button; null when the arm moves by itself. */
+    held: boolean | null;
     t_s: number;
     duration_s: number;
   } | null;
   signals: SignalAnswer[];
+  /** The phone that may make the arm move; null when any may. */
+  control?: ControlView | null;
+  /** Whether the arm may move without anybody holding a button. */
+  continuous_run: boolean;
+}
+
+export interface Phone {
+  id: string;
+  name: string;
+}
+
+export interface ControlView {
+  phone: Phone;
+  asked_by?: Phone | null;
 }
 
 /** What the server sends on the live socket. */

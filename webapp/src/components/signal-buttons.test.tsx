@@ -16,6 +16,7 @@ const view = (is_on: boolean | null, state: RobotView["state"] = "guiding"): Rob
   state,
   age_ms: 0,
   egm: { connected: false, cycles: 0, lost: 0, late: 0, real_time: false },
+  continuous_run: true,
   signals: [{ name: "Gripper/Close", label: "Gripper", on: "close", off: "open", is_on }],
 });
 

@@ -5,6 +5,7 @@ import type { RobotView, SignalAnswer } from "../api/types";
 import type { ConnectionState } from "../live/connection";
 import { useAction } from "../state/hooks";
 import { connection, robot } from "../state/live";
+import { controlledByOther } from "../state/robot-status";
 import { t } from "../texts";
 import { Button } from "./button";
 import { ProblemNotice } from "./notice";
@@ -61,6 +62,8 @@ export function whyNot(
   connected: ConnectionState,
 ): string | null {
   if (connected !== "live") return t.robot.why.offline;
+  const other = controlledByOther(view);
+  if (other !== null) return t.control.other(other);
   if (view.state === "disconnected") return t.robot.why.disconnected;
   if (view.state === "reproducing") return t.signals.notWhileMoving;
   return typeof signal.is_on === "boolean" ? null : t.signals.unknown(signal.label);

@@ -1,6 +1,7 @@
 // The choice of the language: each under its own name, so nobody has to read another one. It is
 // open to phones that are not connected yet, too.
 import { Icon } from "../components/icon";
+import { PhoneName } from "../components/phone-name";
 import { Page } from "../components/page";
 import { go } from "../state/navigation";
 import { chooseLanguage, LANGUAGES, language, t } from "../texts";
@@ -32,6 +33,7 @@ export function LanguagePage() {
         ))}
       </ul>
       <p>{t.language.explain}</p>
+      <PhoneName />
     </Page>
   );
 }

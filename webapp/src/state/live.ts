@@ -6,6 +6,7 @@ import type { ConnectionState } from "../live/connection";
 import { JointRing } from "../live/ring-buffer";
 import { LiveSocket } from "../live/socket";
 import { demonstrations, jobs, models, reproductions } from "./entities";
+import { phoneId, phoneName } from "./phone";
 import { robotId } from "./robots";
 
 export const connection = signal<ConnectionState>("lost");
@@ -36,7 +37,8 @@ export function startLive(id: string): void {
   }
   if (socket === null) {
     const scheme = location.protocol === "https:" ? "wss:" : "ws:";
-    socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live?robot=${id}`, {
+    const who = new URLSearchParams({ robot: id, phone: phoneId, phone_name: phoneName.peek() });
+    socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live?${who}`, {
       state: (state) => (connection.value = state),
       message: receive,
     });
@@ -59,6 +61,17 @@ export async function stop(): Promise<void> {
   socket?.send({ type: "stop" });
   const id = robotId.peek();
   await (id === "" ? stopAllRobots() : stopRobot(id));
+}
+
+/** Says that the button is held at this moment; to be said again before 180 ms are over. Whether
+ *  it could be said. */
+export function hold(reproduction: string): boolean {
+  return socket?.send({ type: "hold", reproduction }) ?? false;
+}
+
+/** Says that nobody holds the button any more; silence would mean the same a little later. */
+export function letGo(): void {
+  socket?.send({ type: "let_go" });
 }
 
 function receive(message: LiveMessage): void {

@@ -9,6 +9,7 @@ const view = (state: RobotView["state"], ageMs = 20): RobotView => ({
   state,
   age_ms: ageMs,
   signals: [],
+  continuous_run: true,
   egm: { connected: false, cycles: 0, lost: 0, late: 0, real_time: false },
 });
 

@@ -3,6 +3,7 @@ import type { RobotView } from "../api/types";
 import type { ConnectionState } from "../live/connection";
 import { age } from "../format/numbers";
 import { t } from "../texts";
+import { phoneId } from "./phone";
 
 export type Tone = "good" | "moving" | "soft" | "bad" | "stale";
 export type StatusIcon = "check" | "hand" | "move" | "stop" | "alert" | "unplugged" | "clock";
@@ -51,6 +52,12 @@ export function robotStatus(
   return { tone, icon, word, age: t.robot.now, stale: false };
 }
 
+/** The name of the other phone that controls the robot; null when this one may. */
+export function controlledByOther(view: RobotView): string | null {
+  const { phone } = view.control ?? {};
+  return phone && phone.id !== phoneId ? phone.name : null;
+}
+
 /** Why the arm cannot be asked to do something now; null when it can. */
 export function whyNotReady(
   view: RobotView | null,
@@ -58,6 +65,8 @@ export function whyNotReady(
   softIsFine = false,
 ): string | null {
   if (connection !== "live" || view === null) return t.robot.why.offline;
+  const other = controlledByOther(view);
+  if (other !== null) return t.control.other(other);
   if (view.state === "idle" || (softIsFine && view.state === "guiding")) return null;
   return t.robot.why[view.state];
 }

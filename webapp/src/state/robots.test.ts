@@ -9,6 +9,7 @@ const robot = (id: string): RobotView => ({
   state: "idle",
   age_ms: 0,
   signals: [],
+  continuous_run: true,
   egm: { connected: false, cycles: 0, lost: 0, late: 0, real_time: false },
 });
 const answer = (...ids: string[]) =>

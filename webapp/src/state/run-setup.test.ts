@@ -1,7 +1,13 @@
 import { expect, test } from "vitest";
 import { asTyped, planRequest, type RunSetup } from "./run-setup";
 
-const setup: RunSetup = { goal: "as_taught", typed: [], start: "as_taught", speed: "0.25" };
+const setup: RunSetup = {
+  goal: "as_taught",
+  typed: [],
+  start: "as_taught",
+  speed: "0.25",
+  mode: "held",
+};
 
 test("places by name are sent by name", () => {
   expect(planRequest("m", { ...setup, goal: "present", start: "present", speed: "1" })).toEqual({

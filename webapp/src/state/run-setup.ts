@@ -4,6 +4,7 @@ import { makePlan, planWayBack } from "../api/endpoints";
 import type { Placement, Plan, PlanRequest } from "../api/types";
 import { readJoints } from "../format/joint-ranges";
 import { fixed } from "../format/numbers";
+import { robot } from "./live";
 import { robotId } from "./robots";
 
 export type GoalChoice = "as_taught" | "present" | "typed";
@@ -11,16 +12,26 @@ export type StartChoice = "as_taught" | "present";
 export const SPEEDS = ["0.25", "0.5", "1"] as const;
 export type Speed = (typeof SPEEDS)[number];
 
+/** Whether the arm moves only while the button is held. */
+export type RunMode = "held" | "alone";
+
 export interface RunSetup {
   goal: GoalChoice;
   /** The six typed joint angles, as typed. */
   typed: string[];
   start: StartChoice;
   speed: Speed;
+  mode: RunMode;
 }
 
 /** Slow is where everyone begins: a new motion is watched before it is let go. */
-const FRESH: RunSetup = { goal: "as_taught", typed: [], start: "as_taught", speed: "0.25" };
+const FRESH: RunSetup = {
+  goal: "as_taught",
+  typed: [],
+  start: "as_taught",
+  speed: "0.25",
+  mode: "held",
+};
 
 const setups = signal<ReadonlyMap<string, RunSetup>>(new Map());
 const plans = signal<ReadonlyMap<string, Plan>>(new Map());
@@ -31,6 +42,11 @@ export function setupOf(task: string): RunSetup {
 
 export function change(task: string, changed: Partial<RunSetup>): void {
   setups.value = new Map(setups.peek()).set(task, { ...setupOf(task), ...changed });
+}
+
+/** Whether the arm will move only while the button is held: always where it may not run alone. */
+export function isHeld(task: string): boolean {
+  return !robot.value?.continuous_run || setupOf(task).mode === "held";
 }
 
 export function planOf(task: string): Plan | undefined {

@@ -15,6 +15,7 @@ import { go } from "../../state/navigation";
 import { preview, previewWayBack } from "../../state/run-setup";
 import { t } from "../../texts";
 import { MotionResult } from "./motion-result";
+import { HoldButton } from "./hold-button";
 import { Pace } from "./pace";
 
 export function MotionPage({ task, motion: id }: { task: string; motion: string }) {
@@ -41,8 +42,15 @@ function Moving({ motion }: { motion: string }) {
   const times = run ? t.run.of(duration(run.t_s), duration(run.duration_s)) : "";
   return (
     <Page
-      title={run?.phase === "paused" ? t.run.waiting : t.run.moving}
-      actions={run && <Pace motion={motion} speed={run.speed} paused={run.paused} />}
+      title={titleOf(run)}
+      actions={
+        run &&
+        (run.held === null ? (
+          <Pace motion={motion} speed={run.speed} paused={run.paused} />
+        ) : (
+          <HoldButton motion={motion} speed={run.speed} />
+        ))
+      }
     >
       <OfflineNotice />
       <div class="card tone-moving">
@@ -58,6 +66,11 @@ function Moving({ motion }: { motion: string }) {
       <LiveTraces />
     </Page>
   );
+}
+
+function titleOf(run: RobotView["run"] | null): string {
+  if (run?.held === false) return t.hold.waits;
+  return run?.phase === "paused" ? t.run.waiting : t.run.moving;
 }
 
 function Finished({ motion }: { motion: Reproduction }) {

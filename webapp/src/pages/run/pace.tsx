@@ -24,17 +24,27 @@ interface Props {
 }
 
 export function Pace({ motion, speed, paused }: Props) {
-  const [slower, faster] = [nextPace(speed, false), nextPace(speed, true)];
-  const slow = useAction(() => changePace(motion, { speed: slower }));
-  const quicken = useAction(() => changePace(motion, { speed: faster }));
   const hold = useAction(() => changePace(motion, { paused: !paused }));
-  const problem = slow.problem ?? quicken.problem ?? hold.problem;
   return (
     <section class="pace" aria-label={t.run.pace.title}>
-      {problem && <ProblemNotice problem={problem} />}
+      {hold.problem && <ProblemNotice problem={hold.problem} />}
       <Button look="primary" icon={paused ? "play" : "pause"} onPress={hold.start}>
         {paused ? t.run.pace.goOn : t.run.pace.pause}
       </Button>
+      <PaceSteps motion={motion} speed={speed} />
+    </section>
+  );
+}
+
+/** Slower and faster, and how fast it is. */
+export function PaceSteps({ motion, speed }: Omit<Props, "paused">) {
+  const [slower, faster] = [nextPace(speed, false), nextPace(speed, true)];
+  const slow = useAction(() => changePace(motion, { speed: slower }));
+  const quicken = useAction(() => changePace(motion, { speed: faster }));
+  const problem = slow.problem ?? quicken.problem;
+  return (
+    <>
+      {problem && <ProblemNotice problem={problem} />}
       <p role="status">{t.run.pace.is(percent(speed))}</p>
       <div class="pace-steps">
         <Button why={slower === speed ? t.run.pace.slowest : null} onPress={slow.start}>
@@ -44,6 +54,6 @@ export function Pace({ motion, speed, paused }: Props) {
           {t.run.pace.faster}
         </Button>
       </div>
-    </section>
+    </>
   );
 }

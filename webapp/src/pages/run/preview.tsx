@@ -9,6 +9,7 @@ import { Figures } from "../../components/figures";
 import { Notice, ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { SignalTimes } from "../../components/signal-times";
+import { RunModeChoice } from "./run-mode-choice";
 import { duration, fixed } from "../../format/numbers";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
 import { reproductions } from "../../state/entities";
@@ -17,7 +18,7 @@ import { connection, robot } from "../../state/live";
 import { go } from "../../state/navigation";
 import { whyNotReady } from "../../state/robot-status";
 import { robotId } from "../../state/robots";
-import { planOf, preview } from "../../state/run-setup";
+import { isHeld, planOf, preview } from "../../state/run-setup";
 import { t } from "../../texts";
 
 export function PreviewPage({ task }: { task: string }) {
@@ -36,8 +37,9 @@ export function PreviewPage({ task }: { task: string }) {
 function Preview({ task, plan }: { task: string; plan: Plan }) {
   const id = useMemo(() => newId(), [plan]);
   const why = useComputed(() => whyNotReady(robot.value, connection.value));
+  const held = isHeld(task);
   const start = useAction(async () => {
-    const reproduction = await startReproduction(id, robotId.peek(), plan.plan);
+    const reproduction = await startReproduction(id, robotId.peek(), plan.plan, isHeld(task));
     reproductions.put(reproduction);
     go({ page: "motion", task, motion: reproduction.id }, true);
   });
@@ -53,18 +55,18 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
       back={{ page: "setup", task }}
       actions={
         <>
-          <p class="remark">{t.run.keepAway}</p>
+          <p class="remark">{held ? t.hold.nothingMoves : t.run.keepAway}</p>
           <ButtonLink to={{ page: "setup", task }} icon="back">
             {t.run.change}
           </ButtonLink>
           <Button
             look="primary"
-            icon="play"
+            icon={held ? "next" : "play"}
             why={start.busy ? null : why.value}
-            busy={start.busy && t.run.starting}
+            busy={start.busy && (held ? t.hold.gettingReady : t.run.starting)}
             onPress={start.start}
           >
-            {t.run.startMotion}
+            {held ? t.hold.ready : t.run.startMotion}
           </Button>
         </>
       }
@@ -80,6 +82,7 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
           ))}
         </Notice>
       )}
+      <RunModeChoice task={task} />
       <Figures
         list={[
           [t.run.duration, duration(plan.duration_s)],

@@ -1,6 +1,7 @@
 // Every German word the app shows, grouped by screen, with the formal Sie. The ß stands as in
 // Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
 import { robot } from "./robot";
@@ -11,7 +12,9 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const de: Texts = {
+  control,
   flight,
+  hold,
   language,
   robot,
   robots,

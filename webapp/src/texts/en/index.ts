@@ -1,4 +1,5 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
 import { robot } from "./robot";
@@ -9,7 +10,9 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const en = {
+  control,
   flight,
+  hold,
   language,
   robot,
   robots,

@@ -1,6 +1,7 @@
 // Every French word the app shows, grouped by screen, with the formal vous. The spaces before : ; ? !
 // are plain here; typography.ts makes them such that no line ends there.
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
 import { robot } from "./robot";
@@ -11,7 +12,9 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const fr: Texts = {
+  control,
   flight,
+  hold,
   language,
   robot,
   robots,

@@ -1,6 +1,7 @@
 // Every Italian word the app shows, grouped by screen, with the formal Lei: instructions in the
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
+import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
 import { robot } from "./robot";
@@ -11,7 +12,9 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const it: Texts = {
+  control,
   flight,
+  hold,
   language,
   robot,
   robots,

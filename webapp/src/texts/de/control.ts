@@ -1,0 +1,35 @@
+// German words about which phone controls the robot, and about holding the button.
+export const control = {
+  nameless: (end: string) => `Telefon ${end}`,
+  other: (name: string) => `${name} steuert diesen Roboter.`,
+  ask: "Um Steuerung bitten",
+  asking: "Anfrage…",
+  asked: "Angefragt. Warten Sie auf die Antwort.",
+  wants: (name: string) => `${name} bittet um die Steuerung.`,
+  give: "Abgeben",
+  keep: "Behalten",
+  title: "Steuerung des Roboters",
+  phoneName: "Name dieses Telefons",
+  phoneNameHint: "Andere sehen ihn, wenn Sie einen Roboter steuern.",
+  save: "Speichern",
+};
+
+export const hold = {
+  mode: "Wie soll er laufen?",
+  modes: {
+    held: {
+      name: "Solange ich die Taste halte",
+      detail: "beim Loslassen bleibt der Arm stehen",
+    },
+    alone: { name: "Von allein", detail: "einmal gestartet, bis zum Ende" },
+  },
+  onlyHeld: "Dieser Roboter bewegt sich nur, solange Sie die Taste halten.",
+  ready: "Bereit machen",
+  gettingReady: "Der Arm wird bereit gemacht…",
+  nothingMoves: "Noch bewegt sich nichts: Auf der nächsten Seite halten Sie eine Taste.",
+  button: "Halten zum Bewegen",
+  holding: "Fährt – zum Anhalten loslassen",
+  waits: "Der Arm wartet auf Sie",
+  keepClear: "Abstand halten. Der Arm bewegt sich, solange Sie die Taste halten.",
+  keys: "Mit der Tastatur: Leertaste halten.",
+};

@@ -1,0 +1,35 @@
+// French words about which phone controls the robot, and about holding the button.
+export const control = {
+  nameless: (end: string) => `Téléphone ${end}`,
+  other: (name: string) => `${name} commande ce robot.`,
+  ask: "Demander la commande",
+  asking: "Demande en cours…",
+  asked: "Demandé. Attendez la réponse.",
+  wants: (name: string) => `${name} demande la commande de ce robot.`,
+  give: "Donner",
+  keep: "Garder",
+  title: "Commande du robot",
+  phoneName: "Nom de ce téléphone",
+  phoneNameHint: "Les autres le voient quand vous commandez un robot.",
+  save: "Enregistrer",
+};
+
+export const hold = {
+  mode: "Comment doit-il bouger ?",
+  modes: {
+    held: {
+      name: "Tant que je tiens le bouton",
+      detail: "dès que vous lâchez, le bras s’arrête",
+    },
+    alone: { name: "Tout seul", detail: "une fois lancé, jusqu’à la fin" },
+  },
+  onlyHeld: "Ce robot ne bouge que tant que vous tenez le bouton.",
+  ready: "Préparer",
+  gettingReady: "Préparation du bras…",
+  nothingMoves: "Rien ne bouge encore : à la page suivante, vous tenez un bouton.",
+  button: "Tenir pour bouger",
+  holding: "En mouvement – lâchez pour arrêter",
+  waits: "Le bras vous attend",
+  keepClear: "Gardez vos distances. Le bras bouge tant que vous tenez le bouton.",
+  keys: "Au clavier : tenez la barre d’espace.",
+};
