@@ -51,7 +51,7 @@ test("twelve presses lead from the first page to a motion that the arm has made"
   await tap(button(page, "Record"));
   for (let take = 1; take <= 3; take += 1) {
     await page.getByText("The arm goes soft in").waitFor();
-    const another = button(page, "Keep, record another");
+    const another = button(page, "Keep, one more");
     await another.waitFor();
     await heading(page, `Take ${take}`).waitFor();
     await page.getByRole("img", { name: /^Recorded joint angles/ }).waitFor();

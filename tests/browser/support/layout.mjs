@@ -36,8 +36,13 @@ function findFaults() {
   const shown = (element) => {
     const box = element.getBoundingClientRect();
     const style = getComputedStyle(element);
+    // What is folded away has a place, too.
     return (
-      box.width > 1 && box.height > 1 && style.visibility !== "hidden" && style.opacity !== "0"
+      element.checkVisibility() &&
+      box.width > 1 &&
+      box.height > 1 &&
+      style.visibility !== "hidden" &&
+      style.opacity !== "0"
     );
   };
 

@@ -55,6 +55,8 @@ test("the result is shown until other takes are kept", () => {
   expect(nextStep(anew, [model("ready", ["a", "b", "c"])]).step).toBe("train");
   const fromCut = { ...model("ready", ["a", "b", "c"]), trims: [cut, null, null] };
   expect(nextStep(anew, [fromCut]).step).toBe("result");
+  const [one] = anew;
+  expect(nextStep([one!], [model("ready", ["a"])]).step).toBe("train");
   expect(nextStep(kept, [fromCut]).step).toBe("train");
   expect(nextStep(kept.slice(0, 1), [model("ready", ["a"])]).step).toBe("result");
   expect(nextStep(kept, [model("failed", ["a", "b", "c"])]).step).toBe("train");

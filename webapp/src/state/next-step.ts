@@ -21,7 +21,11 @@ export function nextStep(takes: readonly Demonstration[], models: readonly Model
   const kept = takes.filter((take) => take.state === "kept");
   const trained = models.findLast((model) => model.state === "ready" && isFrom(model, kept));
   if (trained) return { step: "result", model: trained };
-  return kept.length >= ENOUGH_TAKES ? { step: "train" } : { step: "record" };
+  // The same takes, cut otherwise than when they were trained.
+  const isCutAnew = models.some(
+    (model) => model.state === "ready" && isFrom({ ...model, trims: trimsOf(model, kept) }, kept),
+  );
+  return isCutAnew || kept.length >= ENOUGH_TAKES ? { step: "train" } : { step: "record" };
 }
 
 /** Whether a model was trained from just these takes, cut as they are now. */
@@ -33,6 +37,11 @@ export function isFrom(model: Model, kept: readonly Demonstration[]): boolean {
       return take !== undefined && isSameTrim(take.trim, model.trims?.[position]);
     })
   );
+}
+
+/** How the takes of a model are cut now. */
+function trimsOf({ demonstrations }: Model, kept: readonly Demonstration[]): (Trim | null)[] {
+  return demonstrations.map((id) => kept.find((take) => take.id === id)?.trim ?? null);
 }
 
 function isSameTrim(one?: Trim | null, other?: Trim | null): boolean {

@@ -48,9 +48,9 @@ export function PausedView({ take, place }: { take: Demonstration; place: Place 
         <p class="recording-state" role="status">
           <Icon name="pause" />
           <strong>{t.teaching.pause.paused}</strong>
-        </p>
-        <p class="elapsed" role="timer" aria-label={t.teach.elapsed}>
-          {duration(take.duration_s)}
+          <span role="timer" aria-label={t.teach.elapsed}>
+            {duration(take.duration_s)}
+          </span>
         </p>
         <p>{t.teaching.pause.explain}</p>
       </div>

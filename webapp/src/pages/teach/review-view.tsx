@@ -44,6 +44,7 @@ export function ReviewView({ take, compared }: { take: Demonstration; compared: 
       <LoadNotice load={load} empty={shown === null} />
       {shown && (
         <>
+          <TrimEditor take={take} trajectory={shown} span={span} />
           <JointPanels
             title={t.teach.tracePlot}
             timesS={shown.t_s}
@@ -51,7 +52,6 @@ export function ReviewView({ take, compared }: { take: Demonstration; compared: 
             cut={span}
             signalsS={shown.signals.filter(isChange).map((signal) => signal.at_s)}
           />
-          <TrimEditor take={take} span={span} />
           <SignalTimes title={t.signals.recorded} marks={shown.signals.filter(isChange)} />
         </>
       )}

@@ -1,6 +1,6 @@
 // One task: its takes, its trained motion, and the next step put forward.
 import { useSignal } from "@preact/signals";
-import type { Demonstration, Model, Task, TaskAgreement } from "../../api/types";
+import type { Demonstration, Model, TaskAgreement } from "../../api/types";
 import { Button, ButtonLink } from "../../components/button";
 import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
@@ -11,7 +11,7 @@ import { useAgreement } from "../../state/agreement";
 import { lastDecision, takeBack } from "../../state/decisions";
 import { demonstrations, loadAllOf, models, readyModel, tasks } from "../../state/entities";
 import { useAction, useLoad, type Action } from "../../state/hooks";
-import { ENOUGH_TAKES, nextStep, type NextStep } from "../../state/next-step";
+import { ENOUGH_TAKES, isFrom, nextStep, type NextStep } from "../../state/next-step";
 import { train, useRunAsTaught } from "../../state/training";
 import { t } from "../../texts";
 import { RefusedRun, RunButton } from "./run-button";
@@ -50,9 +50,12 @@ export function TaskPage({ task }: { task: string }) {
       <LastDecision task={task} />
       {known && (
         <>
-          <Result task={known} model={ready} isCurrent={step.step !== "train"} />
+          <Result task={task} model={ready} isCurrent={isCurrent(ready, takes, step)} />
           <h2>{t.teach.takes}</h2>
-          <Kept takes={takes} kept={kept} />
+          <div class="picture-line">
+            <TaskPicture task={known} />
+            <Kept takes={takes} kept={kept} />
+          </div>
           {takes.length > 0 && <TakesAdvice compared={compared} />}
           <TakeList task={task} takes={takes} agreement={compared.agreement} />
           <ButtonLink to={{ page: "more", task }} look="quiet" icon="dots">
@@ -64,6 +67,12 @@ export function TaskPage({ task }: { task: string }) {
   );
 }
 
+/** Whether nothing was cut or chosen otherwise since the training; what is under way comes first. */
+function isCurrent(model: Model | undefined, takes: Demonstration[], { step }: NextStep): boolean {
+  const kept = takes.filter((take) => take.state === "kept");
+  return model === undefined || (step !== "train" && step !== "record") || isFrom(model, kept);
+}
+
 /** What was decided last, with the way back. */
 function LastDecision({ task }: { task: string }) {
   const last = lastDecision.value;
@@ -73,7 +82,7 @@ function LastDecision({ task }: { task: string }) {
 }
 
 interface ResultProps {
-  task: Task;
+  task: string;
   model: Model | undefined;
   isCurrent: boolean;
 }
@@ -83,8 +92,7 @@ function Result({ task, model, isCurrent }: ResultProps) {
   return (
     <>
       <ul class="rows">
-        <RowLink to={{ page: "model", task: task.id, model: model.id }} label={t.teach.toResult}>
-          <TaskPicture task={task} />
+        <RowLink to={{ page: "model", task, model: model.id }} label={t.teach.toResult}>
           <span class="row-name">
             <strong>{t.teach.result}</strong>
             <span>{t.teach.version(model.version)}</span>

@@ -1,11 +1,12 @@
 // Cutting the ends of a take: proposed in one press, or by hand with handles and small steps. The
-// plot above veils what is cut away; nothing of it is lost.
+// plots veil what is cut away; nothing of it is lost.
 import { useSignal, type Signal } from "@preact/signals";
 import { deleteTrim, putTrim, suggestTrim } from "../../api/endpoints";
-import type { Demonstration, Trim } from "../../api/types";
+import type { Demonstration, Trajectory, Trim } from "../../api/types";
 import { Button } from "../../components/button";
 import { Notice, ProblemNotice } from "../../components/notice";
 import { duration, fixed } from "../../format/numbers";
+import { CutOverview } from "../../plots/cut-overview";
 import { demonstrations } from "../../state/entities";
 import { useAction, useLoad } from "../../state/hooks";
 import { t } from "../../texts";
@@ -32,7 +33,14 @@ export function moved(span: Trim, end: keyof Trim, toS: number, lengthS: number)
   return { ...span, to_s: Math.max(Math.min(wanted, lengthS), earliest) };
 }
 
-export function TrimEditor({ take, span }: { take: Demonstration; span: Signal<Trim> }) {
+interface Props {
+  take: Demonstration;
+  /** All of it. */
+  trajectory: Trajectory;
+  span: Signal<Trim>;
+}
+
+export function TrimEditor({ take, trajectory, span }: Props) {
   const proposal = useSignal<Trim | null>(null);
   useLoad(async () => {
     proposal.value = (await suggestTrim(take.id)).trim ?? null;
@@ -84,6 +92,7 @@ export function TrimEditor({ take, span }: { take: Demonstration; span: Signal<T
         <summary>{t.teaching.trim.title}</summary>
         <div class="trim">
           <p>{t.teaching.trim.explain}</p>
+          <CutOverview trajectory={trajectory} span={span} />
           <End span={span} end="from_s" lengthS={take.duration_s} />
           <End span={span} end="to_s" lengthS={take.duration_s} />
           <Button

@@ -28,7 +28,7 @@ export const teaching: Texts["teaching"] = {
     unknown: "Wo der Arm jetzt ist, ist nicht bekannt.",
     goOn: "Weiter",
     goingOn: "Geht weiter…",
-    notHere: "Bringen Sie den Arm dorthin zurück, wo Sie angehalten haben.",
+    notHere: "Noch nicht dort.",
     notHand: "Die virtuelle Hand kann nicht angehalten werden.",
     count: "Pausen",
   },

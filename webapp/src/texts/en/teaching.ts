@@ -1,7 +1,7 @@
 // English words of teaching in one go: the next take, pause, cutting, pictures, undo, the verdict.
 
 export const teaching = {
-  keepAnother: "Keep, record another",
+  keepAnother: "Keep, one more",
   keepTrain: "Keep and train",
   change: "Change",
   planning: "Planning the motion…",
@@ -26,7 +26,7 @@ export const teaching = {
     unknown: "Where the arm is now is not known.",
     goOn: "Go on",
     goingOn: "Going on…",
-    notHere: "Bring the arm back to where you paused.",
+    notHere: "Not there yet.",
     notHand: "The virtual hand can't be paused.",
     count: "Pauses",
   },

@@ -28,7 +28,7 @@ export const teaching: Texts["teaching"] = {
     unknown: "On ne sait pas où est le bras maintenant.",
     goOn: "Continuer",
     goingOn: "Reprise…",
-    notHere: "Ramenez le bras là où vous avez fait la pause.",
+    notHere: "Pas encore là.",
     notHand: "La main virtuelle ne peut pas être mise en pause.",
     count: "Nombre de pauses",
   },

@@ -28,7 +28,7 @@ export const teaching: Texts["teaching"] = {
     unknown: "Non si sa dove sia ora il braccio.",
     goOn: "Continua",
     goingOn: "Ripresa…",
-    notHere: "Riporti il braccio dove ha fatto la pausa.",
+    notHere: "Non ancora lì.",
     notHand: "La mano virtuale non può essere messa in pausa.",
     count: "Pause",
   },
