@@ -210,9 +210,12 @@ async function recording(page, code, fragment) {
 async function motion(page, { task, model, robot }) {
   const wish = { model_id: model.id, start: "as_taught", goal: "as_taught", speed: 1 };
   const plan = await post("/plans", json({ ...wish, robot: robot.id }));
+  // The phone has the control of the robot, so it is the one that asks.
+  const phone = await page.evaluate(() => localStorage.getItem("team.phone"));
+  const ours = ({ body, headers }) => ({ body, headers: { ...headers, "X-Team-Phone": phone } });
   const id = crypto.randomUUID();
-  await post("/reproductions", json({ id, robot: robot.id, plan: plan.plan }));
-  await post(`/reproductions/${id}/pace`, json({ paused: true }));
+  await post("/reproductions", ours(json({ id, robot: robot.id, plan: plan.plan })));
+  await post(`/reproductions/${id}/pace`, ours(json({ paused: true })));
   const fragment = `#/run/${task.id}/motions/${id}`;
   for (const language of LANGUAGES) {
     await speak(page, language);
@@ -220,7 +223,7 @@ async function motion(page, { task, model, robot }) {
     await page.getByRole("progressbar").waitFor();
     await inspect(page, `${language.code}-moving`);
   }
-  await post(`/reproductions/${id}/pace`, json({ paused: false }));
+  await post(`/reproductions/${id}/pace`, ours(json({ paused: false })));
   await page.getByRole("slider").waitFor({ timeout: MOTION_MS });
   for (const language of LANGUAGES) {
     await speak(page, language);
