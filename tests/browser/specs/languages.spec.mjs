@@ -143,6 +143,7 @@ test("no page breaks in any language", async () => {
     return state === "ready";
   });
   const [robot] = await get("/robots");
+  await post("/positions", json({ id: crypto.randomUUID(), robot: robot.id, name: "Parkplatz" }));
   const pages = {
     teach: "#/teach",
     "new-task": "#/teach/new",
@@ -154,6 +155,7 @@ test("no page breaks in any language", async () => {
     robots: "#/robots",
     run: "#/run",
     setup: `#/run/${task.id}`,
+    positions: `#/run/${task.id}/positions`,
     missing: "#/nonsense",
   };
   for (const language of LANGUAGES) {
@@ -231,5 +233,9 @@ async function motion(page, { task, model, robot }) {
     await page.getByRole("slider").waitFor();
     await unfold(page);
     await inspect(page, `${language.code}-result`);
+    await show(page, `${fragment}/questions`);
+    await inspect(page, `${language.code}-questions`);
+    await show(page, "#/dashboard");
+    await inspect(page, `${language.code}-dashboard`);
   }
 }
