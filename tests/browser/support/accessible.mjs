@@ -14,8 +14,13 @@ const OPTIONS = {
 
 /** Checks the screen as it is shown now. */
 export async function accessible(page, name) {
+  assert.deepEqual(await violations(page), [], `axe: ${name}`);
+}
+
+/** What axe-core objects to on the screen as it is shown now. */
+export async function violations(page) {
   if (await page.evaluate(() => !("axe" in window))) await page.evaluate(await SOURCE);
-  const violations = await page.evaluate(async (options) => {
+  return page.evaluate(async (options) => {
     const found = await window.axe.run(document, options);
     return found.violations.map(({ id, help, nodes }) => ({
       id,
@@ -23,5 +28,4 @@ export async function accessible(page, name) {
       where: nodes.slice(0, 3).map(({ html, failureSummary }) => `${html} ${failureSummary}`),
     }));
   }, OPTIONS);
-  assert.deepEqual(violations, [], `axe: ${name}`);
 }

@@ -8,7 +8,7 @@ export const ARM_VIEW_BYTES = 250_000;
 export const INTERACTION_MS = 100;
 export const SLOWER = 4;
 /** By how much the page's memory may grow over an hour of live messages. */
-export const GROWTH_BYTES = 2_000_000;
+export const GROWTH_BYTES = 1_000_000;
 
 /** Adds up what the network brings, from now on. */
 export async function countBytes(page) {

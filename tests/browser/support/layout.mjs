@@ -4,12 +4,11 @@
 import assert from "node:assert/strict";
 import { accessible } from "./accessible.mjs";
 import { findFaults } from "./faults.mjs";
-import { drawn, picture, SMALL, TABLET, USUAL } from "./phone.mjs";
+import { drawn, picture, SMALL, USUAL } from "./phone.mjs";
 import { barriers } from "./reach.mjs";
 
 const LOOKS = [
   { suffix: "-small-dark", viewport: SMALL, colorScheme: "dark" },
-  { suffix: "-tablet", viewport: TABLET, colorScheme: "light" },
   { suffix: "", viewport: USUAL, colorScheme: "light" },
 ];
 
@@ -21,8 +20,7 @@ export async function inspect(page, name) {
     const faults = await page.evaluate(findFaults, {});
     await picture(page, name + suffix);
     assert.deepEqual(faults, [], `${name}${suffix}`);
-    // The tablet shows the same elements in the same colours as the phone.
-    if (viewport !== TABLET) await accessible(page, name + suffix);
+    await accessible(page, name + suffix);
   }
   await look(page, SMALL, "light");
   assert.deepEqual(await barriers(page), [], name);

@@ -65,7 +65,9 @@ function walkFocus() {
     const box = element.getBoundingClientRect();
     const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
     if (!at || !(shown.contains(at) || at.contains(element))) say("has the focus out of sight");
-    const placed = box.top + (element.closest("main")?.scrollTop ?? 0);
+    const scrolled =
+      document.scrollingElement.scrollTop + (element.closest("main")?.scrollTop ?? 0);
+    const placed = box.top + scrolled;
     const place = { part: element.closest("header, main, .actions, .stop-bar"), bottom: placed };
     if (last?.part === place.part && placed + box.height <= last.bottom) say("lies above its turn");
     last = place;
