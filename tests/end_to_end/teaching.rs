@@ -44,12 +44,18 @@ async fn takes_with_cut_ends_are_learned_without_the_standing_still() {
     }
     let whole = train(&client, &task, json!({})).await;
     for take in &takes {
-        let proposed = client.get(&format!("{take}/trim/suggestion")).await.expect(200);
+        let proposed = client
+            .get(&format!("{take}/trim/suggestion"))
+            .await
+            .expect(200);
         let cut = put(&client, &format!("{take}/trim"), &proposed["trim"]).await;
         assert_eq!(cut["trim"], proposed["trim"], "{cut}");
     }
     let cut = train(&client, &task, json!({})).await;
-    assert_ne!(cut["id"], whole["id"], "other stretches are another training");
+    assert_ne!(
+        cut["id"], whole["id"],
+        "other stretches are another training"
+    );
     let (whole_s, cut_s) = (number(&whole, "duration_s"), number(&cut, "duration_s"));
     assert!((whole_s - 9.0).abs() < 0.5, "{whole_s} s");
     assert!((cut_s - 4.6).abs() < 0.5, "{cut_s} s");
@@ -81,7 +87,10 @@ async fn a_kill_in_a_pause_loses_nothing_that_was_recorded() {
         (number(&take, "duration_s") > 1.0).then_some(())
     })
     .await;
-    let paused = client.post_empty(&format!("{path}/pause")).await.expect(200);
+    let paused = client
+        .post_empty(&format!("{path}/pause"))
+        .await
+        .expect(200);
     assert_eq!(numbers(&paused["paused_at_deg"]).len(), 6);
     server.kill().await;
 
@@ -90,11 +99,19 @@ async fn a_kill_in_a_pause_loses_nothing_that_was_recorded() {
     let found = client.get(&path).await.expect(200);
     assert_eq!(found["state"], "interrupted", "{found}");
     assert_eq!(found["samples"], paused["samples"], "{found}");
-    assert_eq!((&found["pauses"], found.get("paused_at_deg")), (&json!(1), None));
+    assert_eq!(
+        (&found["pauses"], found.get("paused_at_deg")),
+        (&json!(1), None)
+    );
     let refused = client.post_empty(&format!("{path}/resume")).await;
     let problem = refused.problem(&[409]);
     assert_eq!(problem["code"], "wrong_state", "{problem}");
     let trajectory = client.get(&format!("{path}/trajectory")).await.expect(200);
-    assert_eq!(trajectory["pauses"][0]["length_s"], Value::Null, "{}", trajectory["pauses"]);
+    assert_eq!(
+        trajectory["pauses"][0]["length_s"],
+        Value::Null,
+        "{}",
+        trajectory["pauses"]
+    );
     server.terminate().await;
 }
