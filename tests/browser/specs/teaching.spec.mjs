@@ -67,8 +67,8 @@ test("a recording is paused, shows how far the arm is off, and goes on from the 
   await openApp(page);
   await robotReady(page);
   const task = await post("/tasks", json({ name: "Held up" }));
-  const handAt = (script) =>
-    post("/robots/virtual/virtual-hand", json({ action: "return", script, seed: 1 }));
+  const handAt = (script, seed = 1) =>
+    post("/robots/virtual/virtual-hand", json({ action: "return", script, seed }));
   // A hand that is told to come back by the interface stands for a person's.
   await post("/robots/virtual/lead-through", json({ active: true }));
   await handAt("f1");
@@ -87,7 +87,7 @@ test("a recording is paused, shows how far the arm is off, and goes on from the 
   await inspect(page, "teach-paused-here");
   const elapsed = await page.getByRole("timer").innerText();
 
-  await handAt("f2");
+  await handAt("f3", 7);
   await handIsIdle();
   await page.getByText(/^Joint \d is \d+\.\d° from where you paused/).waitFor();
   assert.ok(await button(page, "Go on").isDisabled());

@@ -132,7 +132,7 @@ async fn a_recording_is_held_up_and_goes_on_only_from_the_same_place() {
     let mut events = app.state.events.listen();
     let recorder = &arm(&app).recorder;
     recorder.set_free(true).await.unwrap();
-    hand_is_done(&app, HandScript::F1).await;
+    hand_is_done(&app, HandScript::F1, 1).await;
     let (begun, _) = recorder.start(by_hand(task)).await.unwrap();
     heard(&mut events, |d| d.duration_s > 0.3).await;
 
@@ -144,7 +144,7 @@ async fn a_recording_is_held_up_and_goes_on_only_from_the_same_place() {
     );
     let again = recorder.order(begun.id, Order::Pause).await.unwrap();
     assert_eq!(again, paused, "nothing comes in while it is held up");
-    hand_is_done(&app, HandScript::F2).await;
+    hand_is_done(&app, HandScript::F3, 7).await;
     let elsewhere = recorder.order(begun.id, Order::Resume).await;
     assert!(
         matches!(elsewhere, Err(RecordingError::Elsewhere { off_deg, .. }) if off_deg > 2.0),
@@ -153,7 +153,7 @@ async fn a_recording_is_held_up_and_goes_on_only_from_the_same_place() {
     let open = app.state.store.demonstration(begun.id).await.unwrap();
     assert_eq!(open, paused, "a refusal changes nothing");
 
-    hand_is_done(&app, HandScript::F1).await;
+    hand_is_done(&app, HandScript::F1, 1).await;
     let robot = &arm(&app).robot;
     robot.set_signal("GripperClose", true).await.unwrap();
     let going_on = recorder.order(begun.id, Order::Resume).await.unwrap();
@@ -217,9 +217,9 @@ async fn a_recording_that_ends_in_a_pause_is_whole_and_the_hand_can_not_be_held_
 }
 
 /// Has the virtual hand bring the arm to the start of a script and waits until it is there.
-async fn hand_is_done(app: &RunningApp, script: HandScript) {
+async fn hand_is_done(app: &RunningApp, script: HandScript, seed: u64) {
     let recorder = &arm(app).recorder;
-    let hand = HandShowing { script, seed: 1 };
+    let hand = HandShowing { script, seed };
     recorder.hand_returns(hand).await.unwrap();
     let mut view = arm(app).robot.view();
     let idle = view.wait_for(|view| view.hand == Some(HandActivity::Idle));

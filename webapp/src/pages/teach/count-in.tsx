@@ -86,7 +86,7 @@ export function BringBack({ count, onCancel, onMore, onNow }: BringBackProps) {
         </>
       }
     >
-      <div class="count-in">
+      <div class="count-in bring-back">
         <p>{t.teaching.next.bringBack}</p>
         <div role="status">
           <p>{t.teaching.next.begins}</p>

@@ -31,11 +31,12 @@ export function furthest(
 
 /** Where the arm is beside where the recording was held up, as it moves. */
 export function usePlace(take: Demonstration): Place | null {
-  // As text: drawn again only when it says something else.
+  // As text: drawn again only when it says something else. Rounded up, so that nobody is told of
+  // 2.0° and that it is too far.
   const text = useComputed(() => {
     const joints = connection.value === "live" ? robot.value?.joints_deg : null;
     const place = furthest(take.paused_at_deg, joints);
-    return JSON.stringify(place && { ...place, offDeg: Math.round(place.offDeg * 10) / 10 });
+    return JSON.stringify(place && { ...place, offDeg: Math.ceil(place.offDeg * 10) / 10 });
   });
   return JSON.parse(text.value) as Place | null;
 }
