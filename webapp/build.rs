@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 /// What the build reads, relative to this crate. Tests and tools of the developer are not in it.
-const SOURCES: [&str; 6] = [
+const SOURCES: [&str; 7] = [
+    "compress.mjs",
     "src",
     "index.html",
     "package.json",
@@ -68,7 +69,9 @@ fn build(source: &Path, out: &Path, dist: &Path) -> Result<(), String> {
         .arg(vite)
         .args(["build", "--logLevel", "warn", "--outDir"])
         .arg(dist);
-    execute(command.current_dir(&copy))
+    execute(command.current_dir(&copy))?;
+    let mut command = Command::new("node");
+    execute(command.arg("compress.mjs").arg(dist).current_dir(&copy))
 }
 
 /// Runs `npm ci` when the lock file is not the one that the installed packages came from.
@@ -141,13 +144,30 @@ fn copy_all(from: &Path, to: &Path) -> io::Result<()> {
 fn write_list(dist: &Path, list: &Path) -> Result<(), String> {
     let mut files = BTreeMap::new();
     collect(dist, "", &mut files).map_err(|error| describe(dist, &error))?;
-    let mut code = String::from("static FILES: &[(&str, &[u8])] = &[\n");
+    let mut code = String::from("static FILES: &[File] = &[\n");
     for (name, path) in &files {
+        if packed(name).is_some_and(|plain| files.contains_key(plain)) {
+            continue;
+        }
+        let packed = |ending| match files.get(&format!("{name}.{ending}")) {
+            Some(path) => format!("Some(include_bytes!({path:?}))"),
+            None => "None".to_owned(),
+        };
         // Writing into a String cannot fail.
-        let _ = writeln!(code, "    ({name:?}, include_bytes!({path:?})),");
+        let _ = writeln!(
+            code,
+            "    File {{ name: {name:?}, plain: include_bytes!({path:?}), brotli: {}, gzip: {} }},",
+            packed("br"),
+            packed("gz")
+        );
     }
     code.push_str("];\n");
     fs::write(list, code).map_err(|error| describe(list, &error))
+}
+
+/// The name of the file that this one is a compressed copy of.
+fn packed(name: &str) -> Option<&str> {
+    name.strip_suffix(".br").or(name.strip_suffix(".gz"))
 }
 
 fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, PathBuf>) -> io::Result<()> {

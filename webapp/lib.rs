@@ -6,11 +6,23 @@ use std::borrow::Cow;
 
 include!(concat!(env!("OUT_DIR"), "/files.rs"));
 
+/// One line of the list that the build script writes.
+struct File {
+    name: &'static str,
+    plain: &'static [u8],
+    brotli: Option<&'static [u8]>,
+    gzip: Option<&'static [u8]>,
+}
+
 /// One file of the app.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Asset {
     /// The content.
     pub bytes: Cow<'static, [u8]>,
+    /// The content packed with Brotli, when that is smaller.
+    pub brotli: Option<&'static [u8]>,
+    /// The content packed with gzip, when that is smaller.
+    pub gzip: Option<&'static [u8]>,
     /// The media type to send.
     pub mime: &'static str,
     /// True when the name holds a hash of the content, so that a browser may keep it for ever.
@@ -25,10 +37,12 @@ pub fn asset(path: &str) -> Option<Asset> {
         "" => "index.html",
         name => name,
     };
-    let index = FILES.binary_search_by(|(file, _)| (*file).cmp(name)).ok()?;
-    let bytes = FILES.get(index)?.1;
+    let index = FILES.binary_search_by(|file| file.name.cmp(name)).ok()?;
+    let file = FILES.get(index)?;
     Some(Asset {
-        bytes: Cow::Borrowed(bytes),
+        bytes: Cow::Borrowed(file.plain),
+        brotli: file.brotli,
+        gzip: file.gzip,
         mime: mime(name),
         immutable: name.starts_with("assets/"),
     })
@@ -36,7 +50,7 @@ pub fn asset(path: &str) -> Option<Asset> {
 
 /// The names of all files, sorted.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    FILES.iter().map(|(name, _)| *name)
+    FILES.iter().map(|file| file.name)
 }
 
 fn mime(name: &str) -> &'static str {
@@ -81,6 +95,17 @@ mod tests {
     fn only_names_with_a_hash_are_immutable() {
         for name in names() {
             assert_eq!(asset(name).unwrap().immutable, name.starts_with("assets/"));
+        }
+    }
+
+    #[test]
+    fn packed_copies_are_smaller_and_no_files_of_their_own() {
+        assert!(names().all(|name| !name.ends_with(".br") && !name.ends_with(".gz")));
+        for name in names() {
+            let asset = asset(name).unwrap();
+            for packed in [asset.brotli, asset.gzip].into_iter().flatten() {
+                assert!(packed.len() < asset.bytes.len(), "{name}");
+            }
         }
     }
 

@@ -222,13 +222,15 @@ fn different_motions(error: &learning::Error, takes: &mut [ComparedTake]) -> Opt
             take.judge(Verdict::OtherMotion, "Shows another motion");
         }
     }
-    let show = if others.len() > 1 { "show" } else { "shows" };
+    let several = others.len() > 1;
     let (most, others) = (listed(most), listed(others));
-    Some(if undecided {
-        sentence(&format!("{most} and {others} show different motions"))
+    Some(sentence(&if undecided {
+        format!("{most} and {others} show different motions")
+    } else if several {
+        format!("{others} show another motion than {most}")
     } else {
-        sentence(&format!("{others} {show} another motion than {most}"))
-    })
+        format!("{others} shows another motion than {most}")
+    }))
 }
 
 /// Marks the take that works the signals differently. Of two takes nobody can tell which is odd.

@@ -155,7 +155,7 @@ async fn a_gripper_that_does_not_close_stops_the_arm_with_words() {
     let result = ended(&client, &running).await;
     assert_eq!(result["state"], "failed", "{result}");
     assert!(
-        text(&result, "reason").contains("gripper did not close"),
+        text(&result, "reason").contains("\"Gripper\" did not close"),
         "{result}"
     );
     let robot = client.get("/robots/virtual").await.expect(200);

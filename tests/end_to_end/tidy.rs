@@ -6,6 +6,7 @@
 mod dependencies;
 mod documents;
 mod sources;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

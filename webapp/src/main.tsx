@@ -7,7 +7,10 @@ import "./styles/controls.css";
 import "./styles/content.css";
 import "./styles/plots.css";
 import "./styles/flight.css";
+import "./styles/feedback.css";
+import "./styles/dashboard.css";
 import "./styles/language.css";
+import "./styles/forced-colours.css";
 
 const place = document.getElementById("app");
 if (place) render(<App />, place);

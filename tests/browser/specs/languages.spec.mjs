@@ -172,11 +172,22 @@ test("no page breaks in any language", async () => {
     await page.locator(".actions .button-primary").click();
     await page.locator(".panels").first().waitFor();
     await inspect(page, `${language.code}-preview`);
+    await stopped(page, language.code);
     await recording(page, language.code, pages.record);
   }
   await motion(page, { task, model, robot });
   await hangUp(phone);
 });
+
+/** From the preview into a motion that waits for the button, and stopped there. */
+async function stopped(page, code) {
+  await page.locator(".actions .button-primary").click();
+  await page.getByRole("progressbar").waitFor();
+  await inspect(page, `${code}-held`);
+  await page.locator("button.stop").click();
+  await page.locator("main .figures").waitFor();
+  await inspect(page, `${code}-stopped`);
+}
 
 /** A recording from its count-in to the question whether it is good. */
 async function recording(page, code, fragment) {

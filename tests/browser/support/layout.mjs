@@ -1,118 +1,35 @@
-// What must hold on every screen: nothing cut off or on top of something else, big targets,
-// readable text, everything named. Checked at the usual size in light and at the smallest in dark.
+// What must hold on every screen. In each look: nothing cut off or on top of something else, big
+// targets, readable text, everything named, nothing that axe-core objects to. And once: usable by
+// keyboard, with text of twice the size, with colours of the person's own, and without motion.
 import assert from "node:assert/strict";
-import { picture, SMALL, USUAL } from "./phone.mjs";
+import { accessible } from "./accessible.mjs";
+import { findFaults } from "./faults.mjs";
+import { drawn, picture, SMALL, USUAL } from "./phone.mjs";
+import { barriers } from "./reach.mjs";
 
 const LOOKS = [
-  { suffix: "", viewport: USUAL, colorScheme: "light" },
   { suffix: "-small-dark", viewport: SMALL, colorScheme: "dark" },
+  { suffix: "", viewport: USUAL, colorScheme: "light" },
 ];
 
-/** Checks the screen in both looks and keeps a picture of each. */
+/** Checks the screen in all looks and keeps a picture of each; the phone's own look is left. */
 export async function inspect(page, name) {
-  for (const { suffix, viewport, colorScheme } of LOOKS.toReversed()) {
-    await page.setViewportSize(viewport);
-    await page.emulateMedia({ colorScheme });
-    await page.evaluate(() => document.fonts.ready.then(() => new Promise(requestAnimationFrame)));
-    const faults = await page.evaluate(findFaults);
+  const own = page.viewportSize();
+  for (const { suffix, viewport, colorScheme } of LOOKS) {
+    await look(page, viewport, colorScheme);
+    const faults = await page.evaluate(findFaults, {});
     await picture(page, name + suffix);
     assert.deepEqual(faults, [], `${name}${suffix}`);
+    await accessible(page, name + suffix);
   }
+  await look(page, SMALL, "light");
+  assert.deepEqual(await barriers(page), [], name);
+  await look(page, own, "light");
 }
 
-/** Runs in the page, so it may use nothing from outside itself. */
-function findFaults() {
-  const faults = [];
-  const TARGET = 56;
-  const GAP = 8;
-  const TEXT = 18;
-  const CONTRAST = 7;
-  const say = (element, what) => {
-    const text = (element.getAttribute("aria-label") ?? element.textContent ?? "")
-      .trim()
-      .slice(0, 40);
-    faults.push(`${element.tagName.toLowerCase()}.${element.className} "${text}": ${what}`);
-  };
-  const shown = (element) => {
-    const box = element.getBoundingClientRect();
-    const style = getComputedStyle(element);
-    return (
-      box.width > 1 && box.height > 1 && style.visibility !== "hidden" && style.opacity !== "0"
-    );
-  };
-
-  const width = document.documentElement.clientWidth;
-  const height = document.documentElement.clientHeight;
-  for (const element of document.querySelectorAll("#app *")) {
-    if (!shown(element) || element.closest(".chart, svg")) continue;
-    const box = element.getBoundingClientRect();
-    if (box.left < -0.5 || box.right > width + 0.5) say(element, "reaches out of the screen");
-    if (
-      element.scrollWidth > element.clientWidth + 1 &&
-      getComputedStyle(element).overflowX !== "visible"
-    ) {
-      say(element, "is cut off at the side");
-    }
-  }
-
-  const stop = document.querySelector("button.stop").getBoundingClientRect();
-  if (stop.bottom > height || stop.top < 0) faults.push("Stop is not on the screen");
-
-  const main = document.querySelector("main").getBoundingClientRect();
-  if (main.height < 120) faults.push(`only ${main.height} px are left for the content`);
-
-  // A radio button counts as large as the label around it.
-  const controls = [
-    ...document.querySelectorAll("button, a[href], summary, input, label.choice-card"),
-  ].filter((element) => shown(element) && element.type !== "radio");
-  for (const element of controls) {
-    const box = element.getBoundingClientRect();
-    if (box.height < TARGET - 0.5 || box.width < TARGET - 0.5) {
-      say(element, `is a target of ${Math.round(box.width)} x ${Math.round(box.height)}`);
-    }
-    const named =
-      element.getAttribute("aria-label") ?? (element.labels?.[0] ?? element).textContent;
-    if (named.trim() === "") say(element, "has no name");
-  }
-  for (const [index, one] of controls.entries()) {
-    for (const other of controls.slice(index + 1)) {
-      if (one.contains(other) || other.contains(one)) continue;
-      // Controls scrolled under the frame are covered by it, not next to it.
-      if (Boolean(one.closest("main")) !== Boolean(other.closest("main"))) continue;
-      const a = one.getBoundingClientRect();
-      const b = other.getBoundingClientRect();
-      const across = Math.max(a.left, b.left) - Math.min(a.right, b.right);
-      const down = Math.max(a.top, b.top) - Math.min(a.bottom, b.bottom);
-      const apart = Math.max(across, down);
-      if (apart < GAP - 0.5)
-        say(one, `is ${Math.round(apart)} px from "${other.textContent.trim()}"`);
-    }
-  }
-
-  const channels = (colour) => (colour.match(/[\d.]+/g) ?? []).map(Number);
-  const light = (colour) => {
-    const [r, g, b] = colour.map((value) => {
-      const part = value / 255;
-      return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
-    });
-    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-  };
-  const ground = (element) => {
-    for (let one = element; one; one = one.parentElement) {
-      const [r, g, b, alpha = 1] = channels(getComputedStyle(one).backgroundColor);
-      if (alpha === 1) return [r, g, b];
-    }
-    return [255, 255, 255];
-  };
-  const walker = document.createTreeWalker(document.getElementById("app"), NodeFilter.SHOW_TEXT);
-  while (walker.nextNode()) {
-    const element = walker.currentNode.parentElement;
-    if (walker.currentNode.data.trim() === "" || !shown(element)) continue;
-    const style = getComputedStyle(element);
-    if (Number.parseFloat(style.fontSize) < TEXT) say(element, `text of ${style.fontSize}`);
-    const [a, b] = [light(channels(style.color).slice(0, 3)), light(ground(element))];
-    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-    if (contrast < CONTRAST) say(element, `contrast ${contrast.toFixed(1)}`);
-  }
-  return faults;
+/** Shows the page in this size and scheme, and waits until it is drawn. */
+export async function look(page, viewport, colorScheme) {
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ colorScheme });
+  await drawn(page);
 }

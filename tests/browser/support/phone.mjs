@@ -13,6 +13,18 @@ const PATIENCE_MS = 60_000;
 
 export const SMALL = { width: 360, height: 640 };
 export const USUAL = { width: 390, height: 844 };
+export const TABLET = { width: 820, height: 1180 };
+export const SIZES = { small: SMALL, usual: USUAL, tablet: TABLET };
+
+/** The size on which a spec file's flows are done: always the same for one file, and each size for
+ *  some of them. `SIZE=small` and so on does all of them on one. */
+function ownSize() {
+  const wanted = SIZES[process.env.SIZE];
+  if (wanted) return wanted;
+  const name = path.basename(process.argv[1] ?? "");
+  const sum = [...name].reduce((total, letter) => total + letter.charCodeAt(0), 0);
+  return Object.values(SIZES)[sum % 3];
+}
 
 /** Opens a browser for one spec file; `close` it in `after`. The package's own arguments are meant
  *  for a cloud function: one process for everything, and no web security. We want neither. */
@@ -27,7 +39,7 @@ export async function openBrowser() {
 /** A fresh phone without history. Errors in the page make the test fail at `hangUp`. */
 export async function newPhone(
   browser,
-  { viewport = USUAL, colorScheme = "light", locale = "en-GB" } = {},
+  { viewport = ownSize(), colorScheme = "light", locale = "en-GB" } = {},
 ) {
   const context = await browser.newContext({
     viewport,
@@ -60,6 +72,11 @@ export async function picture(page, name) {
   if (!SCREENSHOTS) return;
   await mkdir(SCREENSHOTS, { recursive: true });
   await page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
+}
+
+/** Resolves when what was changed is on the screen. */
+export async function drawn(page) {
+  await page.evaluate(() => document.fonts.ready.then(() => new Promise(requestAnimationFrame)));
 }
 
 /** Polls the condition in the page until it holds. */

@@ -75,9 +75,26 @@ export async function preview(page) {
   await page.getByRole("img", { name: /^Planned joint angles/ }).waitFor();
 }
 
+/** Starts a motion that runs by itself. */
 export async function startMotion(page) {
   await robotReady(page);
+  await page.getByRole("radio", { name: /^By itself/ }).check();
   await button(page, "Start").click();
+  await heading(page, "The arm is moving").waitFor();
+}
+
+/** Gets the arm ready for a motion that moves only while the button is held. */
+export async function getReady(page) {
+  await robotReady(page);
+  await button(page, "Get ready").click();
+  await heading(page, "The arm waits for you").waitFor();
+}
+
+/** Presses the hold button with a finger (or mouse) that stays; `page.mouse.up()` lets go. */
+export async function hold(page) {
+  const place = await button(page, "Hold to move").boundingBox();
+  await page.mouse.move(place.x + place.width / 2, place.y + place.height / 2);
+  await page.mouse.down();
   await heading(page, "The arm is moving").waitFor();
 }
 

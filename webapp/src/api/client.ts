@@ -1,5 +1,6 @@
 // The one place that calls `fetch`. What may be asked is in endpoints.ts.
 import { phoneId, phoneName } from "../state/phone";
+import { inOurWords } from "../words";
 import { fromDocument, unreachable, type Problem, type ProblemDocument } from "./problem";
 
 const BASE = "/api/v1";
@@ -57,7 +58,7 @@ async function readJson(response: Response): Promise<unknown> {
   const text = await response.text();
   if (text === "") return null;
   try {
-    return JSON.parse(text);
+    return inOurWords(JSON.parse(text));
   } catch {
     return null;
   }

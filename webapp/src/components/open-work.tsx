@@ -14,11 +14,7 @@ export function OpenWork() {
   return (
     <ul class="rows">
       {moving.map((motion) => (
-        <RowLink
-          key={motion.id}
-          to={{ page: "motion", task: motion.task_id, motion: motion.id }}
-          label={t.run.moving}
-        >
+        <RowLink key={motion.id} to={{ page: "motion", task: motion.task_id, motion: motion.id }}>
           <span class="state row-name tone-moving">
             <Icon name="move" />
             {t.run.moving}
@@ -26,11 +22,7 @@ export function OpenWork() {
         </RowLink>
       ))}
       {recording.map((take) => (
-        <RowLink
-          key={take.id}
-          to={{ page: "take", task: take.task_id, take: take.id }}
-          label={t.teach.toRecording}
-        >
+        <RowLink key={take.id} to={{ page: "take", task: take.task_id, take: take.id }}>
           <span class="state row-name tone-bad">
             <Icon name="record" />
             {t.teach.recordingNow}
@@ -38,11 +30,7 @@ export function OpenWork() {
         </RowLink>
       ))}
       {training.map((job) => (
-        <RowLink
-          key={job.id}
-          to={{ page: "model", task: job.task_id, model: job.model_id }}
-          label={t.teach.toTraining}
-        >
+        <RowLink key={job.id} to={{ page: "model", task: job.task_id, model: job.model_id }}>
           <span class="state row-name tone-moving">
             <Icon name="train" />
             {t.teach.training}

@@ -20,7 +20,11 @@ interface Props {
 export function Page({ title, back, first, actions, children }: Props) {
   const heading = useRef<HTMLHeadingElement>(null);
   // A new screen starts at its title, for screen readers and keyboards too.
-  useEffect(() => heading.current?.focus({ preventScroll: true }), []);
+  useEffect(() => {
+    heading.current?.focus({ preventScroll: true });
+    // Where the screen is low the window scrolls, and would stay where the screen before was left.
+    window.scrollTo(0, 0);
+  }, []);
   return (
     <>
       <main class="page">
@@ -38,7 +42,11 @@ export function Page({ title, back, first, actions, children }: Props) {
         </div>
         {children}
       </main>
-      <div class="actions">{actions}</div>
+      {actions && (
+        <section class="actions" aria-label={title}>
+          {actions}
+        </section>
+      )}
     </>
   );
 }

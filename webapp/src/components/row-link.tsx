@@ -6,7 +6,9 @@ import { Icon } from "./icon";
 
 interface Props {
   to: Target;
-  label: string;
+  /** Its name where the words on it do not suffice. It contains all of them in their order, so
+   *  that people who speak to the phone can say what they see; spaces stand between the words. */
+  label?: string;
   children: ComponentChildren;
 }
 

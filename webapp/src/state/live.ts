@@ -5,6 +5,7 @@ import { stopAllRobots, stopRobot } from "../api/endpoints";
 import type { ConnectionState } from "../live/connection";
 import { JointRing } from "../live/ring-buffer";
 import { LiveSocket } from "../live/socket";
+import { inOurWords } from "../words";
 import { demonstrations, jobs, models, reproductions } from "./entities";
 import { phoneId, phoneName } from "./phone";
 import { robotId } from "./robots";
@@ -40,7 +41,7 @@ export function startLive(id: string): void {
     const who = new URLSearchParams({ robot: id, phone: phoneId, phone_name: phoneName.peek() });
     socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live?${who}`, {
       state: (state) => (connection.value = state),
-      message: receive,
+      message: (message) => receive(inOurWords(message)),
     });
     watched = id;
   }

@@ -4,15 +4,24 @@ type Setter = (text: string) => string;
 
 const plain: Setter = (text) => text;
 
-/** Before high signs French has a space, and no line may end there: a narrow one but for ":". */
-const french: Setter = (text) =>
-  text.replace(/ ([;?!])/g, "\u202f$1").replace(/ (:)(?=\s|$)/g, "\u00a0$1");
+/** The sign that stands for a vowel left out: "l'axe", "un po' diverso". */
+const apostrophes: Setter = (text) => text.replace(/(\p{L})'/gu, "$1’");
 
-const swissGerman: Setter = (text) => text.replaceAll("ß", "ss");
+/** French has spaces where no line may end: before high signs, narrow but for ":", and in quotes. */
+const french: Setter = (text) =>
+  apostrophes(text)
+    .replace(/ ([;?!])/g, "\u202f$1")
+    .replace(/ (:)(?=\s|$)/g, "\u00a0$1")
+    .replace(/« /g, "«\u00a0")
+    .replace(/ »/g, "\u00a0»");
+
+const swissGerman: Setter = (text) =>
+  text.replaceAll("ß", "ss").replaceAll("„", "«").replaceAll("“", "»");
 
 export function typesetter(locale: string): Setter {
   const [language, country] = locale.toLowerCase().split("-");
   if (language === "fr") return french;
+  if (language === "it") return apostrophes;
   if (language === "de" && (country === "ch" || country === "li")) return swissGerman;
   return plain;
 }

@@ -156,7 +156,7 @@ pub enum Error {
         reason: String,
     },
     /// A start or goal with the wrong number of joints or a value that is no number.
-    #[error("{which}: {reason}")]
+    #[error("the {which} cannot be used: {reason}")]
     BadTarget {
         /// "start" or "goal".
         which: &'static str,

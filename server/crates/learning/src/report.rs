@@ -118,11 +118,10 @@ impl Lineage {
 impl Report {
     /// The result in a sentence or two that a worker understands.
     pub fn summary(&self) -> String {
-        let takes = match self.demonstrations.len() {
-            1 => "one take".to_string(),
-            n => format!("{n} takes"),
+        let mut summary = match self.demonstrations.len() {
+            1 => "Learned from one take.".to_string(),
+            takes => format!("Learned from {takes} takes."),
         };
-        let mut summary = format!("Learned from {takes}.");
         if self.e_j_deg < 0.005 {
             summary += " The arm will reach the goal exactly.";
         } else {
@@ -167,16 +166,15 @@ pub fn notes(demonstrations: &[Demonstration]) -> Vec<String> {
         .filter(|j| demonstrations.iter().all(|d| d.still_joints().contains(j)))
         .map(|j| (j + 1).to_string())
         .collect();
-    if !still.is_empty() {
-        let (noun, verb) = if still.len() == 1 {
-            ("Joint", "stays")
-        } else {
-            ("Joints", "stay")
-        };
-        notes.push(format!(
-            "{noun} {} never moved in the takes and {verb} still in the motion.",
-            still.join(", ")
-        ));
+    match &still[..] {
+        [] => {}
+        [joint] => notes.push(format!(
+            "Joint {joint} never moved in the takes and stays still in the motion."
+        )),
+        joints => notes.push(format!(
+            "Joints {} never moved in the takes and stay still in the motion.",
+            joints.join(", ")
+        )),
     }
     notes
 }

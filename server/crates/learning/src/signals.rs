@@ -118,15 +118,13 @@ pub fn check_same(demonstrations: &[Demonstration]) -> Result<(), Error> {
 }
 
 fn told(story: &[(&str, bool)]) -> String {
-    if story.is_empty() {
-        return "no signal is worked".into();
-    }
-    let word = |on: bool| if on { "on" } else { "off" };
-    let steps: Vec<String> = story
-        .iter()
-        .map(|(name, on)| format!("{name} {}", word(*on)))
-        .collect();
-    steps.join(", then ")
+    let steps = story.iter().map(|(name, on)| match on {
+        true => format!("{name} switched on"),
+        false => format!("{name} switched off"),
+    });
+    steps
+        .reduce(|before, step| format!("{before}, then {step}"))
+        .unwrap_or_else(|| "no signal is worked".into())
 }
 
 /// Where the changes that the demonstrations have in common belong. `clocks_s` holds

@@ -92,7 +92,7 @@ pub enum RobotError {
         name: String,
     },
     /// The controller accepted it, and the signal did not change.
-    #[error("the {} did not {wish}", label.to_lowercase())]
+    #[error("\"{label}\" did not {wish}")]
     SignalNotSet {
         /// What people call the signal.
         label: String,

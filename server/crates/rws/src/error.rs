@@ -98,7 +98,7 @@ pub enum RwsError {
         reason: String,
     },
     /// Lead-through was accepted, but the controller did not keep it.
-    #[error("the robot did not {}: {reason}", if *.active { "let go of the arm" } else { "take hold of the arm again" })]
+    #[error("{}", not_switched(*.active, .reason))]
     LeadThroughReverted {
         /// What had been asked for.
         active: bool,
@@ -106,7 +106,7 @@ pub enum RwsError {
         reason: String,
     },
     /// RAPID was told to start or stop, and did not within the time the controller needs for it.
-    #[error("the robot program did not {}", if *.running { "start" } else { "stop" })]
+    #[error("{}", if *.running { "the robot program did not start" } else { "the robot program did not stop" })]
     ExecutionUnchanged {
         /// What had been asked for.
         running: bool,
@@ -182,6 +182,14 @@ impl RwsError {
     #[must_use]
     pub fn is_unreachable(&self) -> bool {
         matches!(self, Self::Unreachable { .. })
+    }
+}
+
+fn not_switched(active: bool, reason: &str) -> String {
+    if active {
+        format!("the robot did not let go of the arm: {reason}")
+    } else {
+        format!("the robot did not take hold of the arm again: {reason}")
     }
 }
 

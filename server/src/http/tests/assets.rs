@@ -42,3 +42,57 @@ async fn files_with_a_hash_in_their_name_are_kept_for_ever() {
         assert_eq!(immutable, name.starts_with("assets/"), "{name}");
     }
 }
+
+async fn fetch(api: &Api, path: &str, name: header::HeaderName, value: &str) -> super::Answer {
+    let mut wanted = request("GET", path, Body::empty());
+    wanted
+        .headers_mut()
+        .insert(name, value.parse().expect("a header"));
+    api.send(wanted).await
+}
+
+#[tokio::test]
+async fn files_are_packed_for_browsers_that_can_unpack_them() {
+    let api = Api::local().await;
+    for name in webapp::names() {
+        let path = format!("/{name}");
+        let asset = webapp::asset(name).unwrap();
+        for (accept, encoding, packed) in [
+            ("gzip, deflate, br, zstd", "br", asset.brotli),
+            ("*", "br", asset.brotli),
+            ("br;q=0, gzip;q=0.5", "gzip", asset.gzip),
+            ("GZIP", "gzip", asset.gzip),
+            ("gzip;q=0, br;q=0, *", "", None),
+            ("br; q=0", "", None),
+            ("identity", "", None),
+            ("nonsense;q=much", "", None),
+        ] {
+            let answer = fetch(&api, &path, header::ACCEPT_ENCODING, accept).await;
+            assert_eq!(answer.status, 200, "{name} {accept}");
+            assert_eq!(answer.header("content-type"), asset.mime);
+            assert_eq!(answer.header("vary"), "Accept-Encoding");
+            let told = answer.headers.get(header::CONTENT_ENCODING);
+            let expected = packed.is_some().then_some(encoding);
+            assert_eq!(
+                told.and_then(|value| value.to_str().ok()),
+                expected,
+                "{name} {accept}"
+            );
+            let length = packed.map_or(asset.bytes.len(), <[u8]>::len);
+            assert_eq!(answer.bytes, length, "{name} {accept}");
+        }
+    }
+}
+
+#[tokio::test]
+async fn each_packing_has_its_own_tag() {
+    let api = Api::local().await;
+    let plain = api.get("/").await;
+    let packed = fetch(&api, "/", header::ACCEPT_ENCODING, "gzip").await;
+    let is_packed = packed.headers.contains_key(header::CONTENT_ENCODING);
+    assert_eq!(plain.header("etag") != packed.header("etag"), is_packed);
+    let known = format!("\"other\", W/{}", plain.header("etag"));
+    let again = fetch(&api, "/", header::IF_NONE_MATCH, &known).await;
+    assert_eq!(again.status, 304);
+    assert_eq!(again.header("vary"), "Accept-Encoding");
+}

@@ -7,6 +7,8 @@ mod demonstrations;
 mod faults;
 mod learning;
 mod live;
+mod people;
+mod positions;
 mod robot;
 mod tasks;
 
@@ -45,6 +47,8 @@ struct Answer {
     status: StatusCode,
     headers: HeaderMap,
     text: String,
+    /// How long the body is.
+    bytes: usize,
 }
 
 impl Answer {
@@ -126,7 +130,8 @@ impl Api {
         Answer {
             status: parts.status,
             headers: parts.headers,
-            text: String::from_utf8(bytes.to_vec()).unwrap(),
+            text: String::from_utf8_lossy(&bytes).into_owned(),
+            bytes: bytes.len(),
         }
     }
 

@@ -5,9 +5,8 @@ import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "../../components/icon";
 import { beginHolding } from "../../state/holding";
 import { t } from "../../texts";
-import { PaceSteps } from "./pace";
 
-export function HoldButton({ motion, speed }: { motion: string; speed: number }) {
+export function HoldButton({ motion }: { motion: string }) {
   const held = useSignal(false);
   const end = useRef<() => void>(() => undefined);
   const press = () => {
@@ -18,33 +17,29 @@ export function HoldButton({ motion, speed }: { motion: string; speed: number })
   const release = () => end.current();
   useEffect(() => () => end.current(), []);
   return (
-    <section class="pace" aria-label={t.hold.button}>
-      <p class="remark">{t.hold.keepClear}</p>
-      <button
-        type="button"
-        class={held.value ? "hold hold-on" : "hold"}
-        aria-pressed={held.value}
-        aria-description={t.hold.keys}
-        onPointerDown={(event) => {
-          // The finger may slide off the button without letting go of the arm by accident.
-          event.currentTarget.setPointerCapture(event.pointerId);
-          press();
-        }}
-        onPointerUp={release}
-        onPointerCancel={release}
-        onLostPointerCapture={release}
-        onBlur={release}
-        onContextMenu={(event) => event.preventDefault()}
-        onKeyDown={(event) => {
-          if ((event.key === " " || event.key === "Enter") && !event.repeat) press();
-          if (event.key === " " || event.key === "Enter") event.preventDefault();
-        }}
-        onKeyUp={release}
-      >
-        <Icon name={held.value ? "move" : "hand"} />
-        <span>{held.value ? t.hold.holding : t.hold.button}</span>
-      </button>
-      <PaceSteps motion={motion} speed={speed} />
-    </section>
+    <button
+      type="button"
+      class={held.value ? "hold hold-on" : "hold"}
+      aria-pressed={held.value}
+      aria-description={t.hold.keys}
+      onPointerDown={(event) => {
+        // The finger may slide off the button without letting go of the arm by accident.
+        event.currentTarget.setPointerCapture(event.pointerId);
+        press();
+      }}
+      onPointerUp={release}
+      onPointerCancel={release}
+      onLostPointerCapture={release}
+      onBlur={release}
+      onContextMenu={(event) => event.preventDefault()}
+      onKeyDown={(event) => {
+        if ((event.key === " " || event.key === "Enter") && !event.repeat) press();
+        if (event.key === " " || event.key === "Enter") event.preventDefault();
+      }}
+      onKeyUp={release}
+    >
+      <Icon name={held.value ? "move" : "hand"} />
+      <span>{held.value ? t.hold.holding : t.hold.button}</span>
+    </button>
   );
 }

@@ -1,6 +1,6 @@
 // Six joint angles to type, each checked at once against its range.
 import { checkJoint, JOINT_RANGES_DEG } from "../../format/joint-ranges";
-import { degrees } from "../../format/numbers";
+import { degrees, fixed } from "../../format/numbers";
 import { t } from "../../texts";
 
 interface Props {
@@ -35,7 +35,7 @@ export function JointInputs({ values, onChange }: Props) {
             />
             <span id={hint} class={verdict === "ok" ? "hint" : "hint hint-bad"}>
               {verdict === "ok" && t.run.range(...limits)}
-              {verdict === "not_number" && t.run.notNumber}
+              {verdict === "not_number" && t.run.notNumber(fixed(12.5, 1))}
               {verdict === "out_of_range" && t.run.outOfRange(...limits)}
             </span>
           </label>

@@ -16,7 +16,7 @@ import { preview, previewWayBack } from "../../state/run-setup";
 import { t } from "../../texts";
 import { MotionResult } from "./motion-result";
 import { HoldButton } from "./hold-button";
-import { Pace } from "./pace";
+import { Pace, PaceSteps } from "./pace";
 
 export function MotionPage({ task, motion: id }: { task: string; motion: string }) {
   const load = useLoad(() => loadReproduction(id), id);
@@ -48,11 +48,12 @@ function Moving({ motion }: { motion: string }) {
         (run.held === null ? (
           <Pace motion={motion} speed={run.speed} paused={run.paused} />
         ) : (
-          <HoldButton motion={motion} speed={run.speed} />
+          <HoldButton motion={motion} />
         ))
       }
     >
       <OfflineNotice />
+      {run && run.held !== null && <p>{t.hold.keepClear}</p>}
       <div class="card tone-moving">
         <p class="phase" role="status">
           {(run && phases[run.phase]) ?? t.run.phases.waiting}
@@ -63,6 +64,11 @@ function Moving({ motion }: { motion: string }) {
           words={times}
         />
       </div>
+      {run && run.held !== null && (
+        <section class="pace" aria-label={t.run.pace.title}>
+          <PaceSteps motion={motion} speed={run.speed} />
+        </section>
+      )}
       <LiveTraces />
     </Page>
   );

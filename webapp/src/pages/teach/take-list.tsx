@@ -65,28 +65,30 @@ function TakeRow({ task, take, agreement }: TakeProps) {
   const closed = take.state !== "preparing" && take.state !== "recording";
   const compared = agreement?.takes.find((one) => one.id === take.id);
   const words = compared?.words ?? undefined;
+  const length = duration(take.duration_s);
   return (
     <RowLink
       to={{ page: "take", task, take: take.id }}
-      label={t.teach.openTake(take.take, state, words)}
+      label={[t.teach.openTake(take.take, state, words), length, take.problem]
+        .filter(Boolean)
+        .join(", ")}
     >
       {closed && <TakeSparkline take={take.id} />}
       <span class="row-name">
-        <strong>
-          {t.teach.take(take.take)} · {duration(take.duration_s)}
-        </strong>
+        <strong>{t.teach.take(take.take)}</strong>{" "}
         <span class="row-states">
           <span class={`state tone-${look.tone}`}>
             <Icon name={look.icon} />
             {state}
-          </span>
+          </span>{" "}
           {compared && words && (
             <span class={`state tone-${MARKS[compared.verdict].tone}`}>
               <Icon name={MARKS[compared.verdict].icon} />
               {words}
             </span>
-          )}
-        </span>
+          )}{" "}
+          <span>{length}</span>
+        </span>{" "}
         {take.problem && <span class="row-problem">{take.problem}</span>}
       </span>
     </RowLink>

@@ -10,22 +10,28 @@ export function TaskRow({ task }: { task: Task }) {
   const takes = demonstrations.where((take) => take.task_id === task.id);
   const kept = takes.filter((take) => take.state === "kept").length;
   const waiting = takes.find((take) => take.state === "interrupted" || take.state === "recorded");
+  // In the name too: whoever hears the list wants to know how far each task is.
+  const state = waiting
+    ? t.teach.waiting(waiting.take, t.teach.states[waiting.state])
+    : readyModel(task.id)
+      ? t.teach.isTrained
+      : t.teach.keptCount(kept);
   return (
-    <RowLink to={{ page: "task", task: task.id }} label={t.teach.open(task.name)}>
+    <RowLink to={{ page: "task", task: task.id }} label={`${t.teach.open(task.name)}, ${state}`}>
       <span class="row-name">
-        <strong>{task.name}</strong>
+        <strong>{task.name}</strong>{" "}
         {waiting ? (
           <span class="state tone-soft">
             <Icon name={TAKE_LOOKS[waiting.state].icon} />
-            {t.teach.waiting(waiting.take, t.teach.states[waiting.state])}
+            {state}
           </span>
         ) : readyModel(task.id) ? (
           <span class="state tone-good">
             <Icon name="check" />
-            {t.teach.isTrained}
+            {state}
           </span>
         ) : (
-          <span>{t.teach.keptCount(kept)}</span>
+          <span>{state}</span>
         )}
       </span>
     </RowLink>

@@ -66,7 +66,7 @@ function Result({ task, model }: { task: string; model: Model | undefined }) {
   if (!model) return null;
   return (
     <ul class="rows">
-      <RowLink to={{ page: "model", task, model: model.id }} label={t.teach.toResult}>
+      <RowLink to={{ page: "model", task, model: model.id }}>
         <span class="row-name">
           <strong>{t.teach.result}</strong>
           <span>{t.teach.version(model.version)}</span>

@@ -1,5 +1,7 @@
 // German words about which phone controls the robot, and about holding the button.
-export const control = {
+import type { Texts } from "..";
+
+export const control: Texts["control"] = {
   nameless: (end: string) => `Telefon ${end}`,
   other: (name: string) => `${name} steuert diesen Roboter.`,
   ask: "Um Steuerung bitten",
@@ -14,22 +16,22 @@ export const control = {
   save: "Speichern",
 };
 
-export const hold = {
-  mode: "Wie soll er laufen?",
+export const hold: Texts["hold"] = {
+  mode: "Wie soll sich der Arm bewegen?",
   modes: {
     held: {
       name: "Solange ich die Taste halte",
-      detail: "beim Loslassen bleibt der Arm stehen",
+      detail: "lassen Sie los, bleibt der Arm stehen",
     },
-    alone: { name: "Von allein", detail: "einmal gestartet, bis zum Ende" },
+    alone: { name: "Von selbst", detail: "einmal gestartet, bis zum Ende" },
   },
   onlyHeld: "Dieser Roboter bewegt sich nur, solange Sie die Taste halten.",
   ready: "Bereit machen",
   gettingReady: "Der Arm wird bereit gemacht…",
   nothingMoves: "Noch bewegt sich nichts: Auf der nächsten Seite halten Sie eine Taste.",
-  button: "Halten zum Bewegen",
+  button: "Zum Bewegen halten",
   holding: "Fährt – zum Anhalten loslassen",
   waits: "Der Arm wartet auf Sie",
-  keepClear: "Abstand halten. Der Arm bewegt sich, solange Sie die Taste halten.",
-  keys: "Mit der Tastatur: Leertaste halten.",
+  keepClear: "Halten Sie Abstand: Der Arm bewegt sich, solange Sie drücken.",
+  keys: "Mit der Tastatur: Halten Sie die Leertaste.",
 };

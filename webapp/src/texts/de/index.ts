@@ -2,8 +2,11 @@
 // Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
 import { control, hold } from "./control";
+import { dashboard } from "./dashboard";
+import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
+import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -12,9 +15,12 @@ import { teach } from "./teach";
 
 export const de: Texts = {
   control,
+  dashboard,
+  feedback,
   flight,
   hold,
   language,
+  positions,
   robot,
   robots,
   run,

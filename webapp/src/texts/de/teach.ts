@@ -20,7 +20,7 @@ export const teach: Texts["teach"] = {
   nameMissing: "Geben Sie der Aufgabe zuerst einen Namen.",
   create: "Aufgabe anlegen",
   creating: "Wird angelegt…",
-  open: (name: string) => `Aufgabe ${name} öffnen`,
+  open: (name: string) => `Aufgabe öffnen: ${name}`,
 
   isTrained: "Trainiert",
   waiting: (number: number, state: string) => `Aufnahme ${number}: ${state}`,
@@ -45,7 +45,6 @@ export const teach: Texts["teach"] = {
   trainStarting: "Training startet…",
   trainNeeds: "Behalten Sie zuerst mindestens eine Aufnahme.",
   toTraining: "Training ansehen",
-  toResult: "Ergebnis ansehen",
   result: "Trainierte Bewegung",
   version: (number: number) => `Version ${number}`,
 

@@ -22,7 +22,7 @@ export const run = {
   presentMissing: "The robot does not say where it is.",
   joint: (number: number) => `Joint ${number} in degrees`,
   range: (lowest: string, highest: string) => `${lowest} to ${highest}`,
-  notNumber: "Type a number, for example 12.5",
+  notNumber: (example: string) => `Type a number, for example ${example}`,
   outOfRange: (lowest: string, highest: string) => `Must be from ${lowest} to ${highest}`,
   speed: "How fast?",
   speeds: { "0.25": "Slow", "0.5": "Half", "1": "Full" } as Record<string, string>,

@@ -44,7 +44,6 @@ export const teach = {
   trainStarting: "Starting the training…",
   trainNeeds: "Keep at least one take first.",
   toTraining: "See the training",
-  toResult: "See the result",
   result: "Trained motion",
   version: (number: number) => `Version ${number}`,
 

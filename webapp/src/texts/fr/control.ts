@@ -1,5 +1,7 @@
 // French words about which phone controls the robot, and about holding the button.
-export const control = {
+import type { Texts } from "..";
+
+export const control: Texts["control"] = {
   nameless: (end: string) => `Téléphone ${end}`,
   other: (name: string) => `${name} commande ce robot.`,
   ask: "Demander la commande",
@@ -14,22 +16,22 @@ export const control = {
   save: "Enregistrer",
 };
 
-export const hold = {
-  mode: "Comment doit-il bouger ?",
+export const hold: Texts["hold"] = {
+  mode: "Comment le bras doit-il bouger ?",
   modes: {
     held: {
-      name: "Tant que je tiens le bouton",
-      detail: "dès que vous lâchez, le bras s’arrête",
+      name: "Tant que j'appuie",
+      detail: "quand vous lâchez, le bras s'arrête",
     },
-    alone: { name: "Tout seul", detail: "une fois lancé, jusqu’à la fin" },
+    alone: { name: "Tout seul", detail: "une fois lancé, jusqu'à la fin" },
   },
-  onlyHeld: "Ce robot ne bouge que tant que vous tenez le bouton.",
+  onlyHeld: "Ce robot ne bouge que tant que vous appuyez sur le bouton.",
   ready: "Préparer",
   gettingReady: "Préparation du bras…",
-  nothingMoves: "Rien ne bouge encore : à la page suivante, vous tenez un bouton.",
-  button: "Tenir pour bouger",
+  nothingMoves: "Rien ne bouge encore : à la page suivante, vous maintenez un bouton appuyé.",
+  button: "Maintenir pour bouger",
   holding: "En mouvement – lâchez pour arrêter",
   waits: "Le bras vous attend",
-  keepClear: "Gardez vos distances. Le bras bouge tant que vous tenez le bouton.",
-  keys: "Au clavier : tenez la barre d’espace.",
+  keepClear: "Tenez-vous à l'écart. Le bras bouge tant que vous appuyez.",
+  keys: "Au clavier : maintenez la barre d'espace appuyée.",
 };

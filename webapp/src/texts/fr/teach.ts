@@ -45,7 +45,6 @@ export const teach: Texts["teach"] = {
   trainStarting: "L'entraînement démarre…",
   trainNeeds: "Gardez d'abord au moins un exemple.",
   toTraining: "Voir l'entraînement",
-  toResult: "Voir le résultat",
   result: "Mouvement entraîné",
   version: (number: number) => `Version ${number}`,
 

@@ -2,8 +2,11 @@
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
 import { control, hold } from "./control";
+import { dashboard } from "./dashboard";
+import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
+import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -12,9 +15,12 @@ import { teach } from "./teach";
 
 export const it: Texts = {
   control,
+  dashboard,
+  feedback,
   flight,
   hold,
   language,
+  positions,
   robot,
   robots,
   run,

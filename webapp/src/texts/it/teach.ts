@@ -45,7 +45,6 @@ export const teach: Texts["teach"] = {
   trainStarting: "Avvio dell'addestramento…",
   trainNeeds: "Prima conservi almeno un esempio.",
   toTraining: "Guarda l'addestramento",
-  toResult: "Guarda il risultato",
   result: "Movimento addestrato",
   version: (number: number) => `Versione ${number}`,
 

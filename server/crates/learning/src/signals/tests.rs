@@ -202,7 +202,7 @@ fn the_take_that_tells_another_story_is_named_with_what_it_does() {
     assert_eq!(error.code(), "signals_differ");
     assert_eq!(
         error.to_string(),
-        "take 1 works the signals differently (Gripper on) from take 2 (Gripper on, then Gripper off)"
+        "take 1 works the signals differently (Gripper switched on) from take 2 (Gripper switched on, then Gripper switched off)"
     );
     let silent = check_same(&[named("take 1", &[]), named("take 2", &[0.5])]).unwrap_err();
     assert!(silent.to_string().contains("no signal is worked"));

@@ -80,7 +80,7 @@ async fn a_signal_that_does_not_change_is_an_error_in_words() {
         .faults()
         .set(|faults| faults.signals_stuck = true);
     let error = cell.robot.set_signal(GRIPPER, true).await.unwrap_err();
-    assert_eq!(error.to_string(), "the gripper did not close");
+    assert_eq!(error.to_string(), "\"Gripper\" did not close");
     cell.end().await;
 }
 
@@ -167,7 +167,7 @@ async fn a_signal_that_fails_brings_the_arm_to_rest_on_its_path() {
     };
     assert_eq!(fault.code, "signal_failed");
     assert!(
-        fault.message.contains("the gripper did not close"),
+        fault.message.contains("\"Gripper\" did not close"),
         "{}",
         fault.message
     );
