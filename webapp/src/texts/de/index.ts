@@ -1,6 +1,7 @@
 // Every German word the app shows, grouped by screen, with the formal Sie. The ß stands as in
 // Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
@@ -11,6 +12,7 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const de: Texts = {
+  arm3d,
   control,
   flight,
   hold,

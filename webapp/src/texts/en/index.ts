@@ -1,4 +1,5 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
@@ -9,6 +10,7 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const en = {
+  arm3d,
   control,
   flight,
   hold,

@@ -1,6 +1,7 @@
 // Every French word the app shows, grouped by screen, with the formal vous. The spaces before : ; ? !
 // are plain here; typography.ts makes them such that no line ends there.
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
@@ -11,6 +12,7 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const fr: Texts = {
+  arm3d,
   control,
   flight,
   hold,

@@ -1,6 +1,7 @@
 // Every Italian word the app shows, grouped by screen, with the formal Lei: instructions in the
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { flight } from "./flight";
 import { language } from "./language";
@@ -11,6 +12,7 @@ import { signals } from "./signals";
 import { teach } from "./teach";
 
 export const it: Texts = {
+  arm3d,
   control,
   flight,
   hold,
