@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { getTrajectory } from "../../api/endpoints";
 import type { Demonstration, SignalMark, Trajectory } from "../../api/types";
+import { TakePicture } from "../../arm3d/take-picture";
 import { Figures } from "../../components/figures";
 import { LoadNotice, Notice } from "../../components/notice";
 import { SignalTimes } from "../../components/signal-times";
@@ -18,6 +19,7 @@ export function ReviewView({ take }: { take: Demonstration }) {
   const load = useLoad(async () => {
     trajectory.value = await getTrajectory(take.id, 300);
   }, take.id);
+  const time = useSignal(0);
   const shown = trajectory.value;
   const layers = useMemo<Layer[]>(
     () => (shown ? [{ label: t.plot.degrees, joints: shown.joints_deg, look: "strong" }] : []),
@@ -26,6 +28,7 @@ export function ReviewView({ take }: { take: Demonstration }) {
   return (
     <>
       <StateNotice take={take} />
+      {shown && shown.t_s.length > 1 && <TakePicture take={shown} time={time} />}
       {counts(take) && <Advice take={take} />}
       {take.problem && (
         <Notice tone="bad" icon="alert">
@@ -45,6 +48,7 @@ export function ReviewView({ take }: { take: Demonstration }) {
             timesS={shown.t_s}
             layers={layers}
             signalsS={shown.signals.filter(isChange).map((signal) => signal.at_s)}
+            cursor={time}
           />
           <SignalTimes title={t.signals.recorded} marks={shown.signals.filter(isChange)} />
         </>
