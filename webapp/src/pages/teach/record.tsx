@@ -3,14 +3,13 @@ import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
 import { setLeadThrough, startDemonstration, type NewDemonstration } from "../../api/endpoints";
 import { newId, newSeed } from "../../api/ids";
-import type { HandScript } from "../../api/types";
 import { Button } from "../../components/button";
 import { Choice } from "../../components/choice";
 import { ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { SoftArm } from "../../components/soft-arm";
 import { demonstrations } from "../../state/entities";
-import { handScript } from "../../state/hand-script";
+import { handScript, leader, type Leader } from "../../state/hand-script";
 import { useAction } from "../../state/hooks";
 import { connection, isVirtual, robot, robotState } from "../../state/live";
 import { go } from "../../state/navigation";
@@ -19,7 +18,7 @@ import { robotId } from "../../state/robots";
 import { t } from "../../texts";
 
 const COUNT_FROM = 3;
-const SCRIPTS: readonly HandScript[] = ["f1", "f2", "f3"];
+const LEADERS: readonly Leader[] = ["self", "f1", "f2", "f3"];
 
 export function RecordPage({ task }: { task: string }) {
   const count = useSignal<number | null>(null);
@@ -28,7 +27,8 @@ export function RecordPage({ task }: { task: string }) {
   const record = useAction(async () => {
     if (robotState.peek() === "guiding") await setLeadThrough(robotId.peek(), false);
     const body: NewDemonstration = { id, robot: robotId.peek() };
-    if (isVirtual.peek()) Object.assign(body, { virtual_hand: handScript.peek(), seed: newSeed() });
+    const script = isVirtual.peek() ? handScript() : null;
+    if (script) Object.assign(body, { virtual_hand: script, seed: newSeed() });
     const take = await startDemonstration(task, body);
     demonstrations.put(take);
     go({ page: "take", task, take: take.id }, true);
@@ -56,21 +56,29 @@ export function RecordPage({ task }: { task: string }) {
     >
       {record.problem && <ProblemNotice problem={record.problem} />}
       <ol class="steps">
-        {(isVirtual.value ? t.teach.stepsVirtual : t.teach.steps).map((step) => (
+        {steps().map((step) => (
           <li key={step}>{step}</li>
         ))}
       </ol>
       {isVirtual.value && (
         <Choice
-          legend={t.teach.hand}
-          options={SCRIPTS.map((script) => ({ value: script, ...t.teach.hands[script] }))}
-          value={handScript.value}
-          onChoose={(script) => (handScript.value = script)}
+          legend={t.arm3d.lead.who}
+          options={LEADERS.map((value) => ({
+            value,
+            ...(value === "self" ? t.arm3d.lead : t.teach.hands[value]),
+          }))}
+          value={leader.value}
+          onChoose={(chosen) => (leader.value = chosen)}
         />
       )}
       <SoftArm />
     </Page>
   );
+}
+
+function steps(): readonly string[] {
+  if (!isVirtual.value) return t.teach.steps;
+  return handScript() === null ? t.arm3d.lead.steps : t.teach.stepsVirtual;
 }
 
 function RecordButton({ busy, onPress }: { busy: boolean; onPress: () => void }) {
