@@ -120,7 +120,12 @@ function Ghost({ stage, pose }: { stage: Stage; pose: ReadonlySignal<Pose | null
 async function begin(canvas: HTMLCanvasElement, drawn: (stage: Stage) => void) {
   try {
     const { ArmScene } = await import("./scene");
-    return new Stage(canvas, new ArmScene(canvas), drawn);
+    // The page first, then the picture: a press is answered before the graphics are prepared.
+    await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
+    const scene = new ArmScene(canvas);
+    const stage = new Stage(canvas, scene, drawn);
+    await scene.prepare();
+    return stage;
   } catch {
     // No WebGL, or the file could not be fetched: the plots and numbers say the same.
     return null;

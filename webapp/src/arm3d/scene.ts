@@ -88,6 +88,11 @@ export class ArmScene {
     this.scene.add(this.lines, this.handle, this.plumb);
   }
 
+  /** Settles when the graphics are prepared, so that the first drawing keeps nobody waiting. */
+  async prepare(): Promise<void> {
+    await this.renderer.compileAsync(this.scene, this.camera);
+  }
+
   setSize({ width, height }: Size, pixelRatio: number): void {
     this.renderer.setPixelRatio(Math.min(FINEST, pixelRatio));
     this.renderer.setSize(width, height, false);
@@ -208,13 +213,17 @@ function makePaints() {
 
 type Parts = readonly { surface: Surface; geometry: BufferGeometry }[][];
 
-/** One body for each part of the arm and each surface on it. */
+/** One body for each part of the arm and each surface on it, put together once. */
+const BODIES = ARM_PARTS.map((parts) =>
+  [...new Set(parts.map((part) => part.surface))].map((surface) => {
+    const same = parts.filter((part) => part.surface === surface);
+    return { surface, solid: together(same.map((part) => part.solid)) };
+  }),
+);
+
 function armGeometries(): Parts {
-  return ARM_PARTS.map((parts) =>
-    [...new Set(parts.map((part) => part.surface))].map((surface) => {
-      const same = parts.filter((part) => part.surface === surface);
-      return { surface, geometry: geometryOf(together(same.map((part) => part.solid))) };
-    }),
+  return BODIES.map((parts) =>
+    parts.map(({ surface, solid }) => ({ surface, geometry: geometryOf(solid) })),
   );
 }
 

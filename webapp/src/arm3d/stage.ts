@@ -10,6 +10,9 @@ import type { Vec3 } from "./vector";
 /** The ball at the tool: as wide as a gloved fingertip, however far away the tool is. */
 const HANDLE_PX = 34;
 const TURN_S = 0.35;
+/** A movement of fewer pictures than these in a second is not one: then each gets less fine. */
+const SLOWEST_MS = 45;
+const SLOW_PICTURES = 8;
 
 export class Stage {
   private view: Viewpoint | null = null;
@@ -22,6 +25,8 @@ export class Stage {
   private heldMm: Vec3 | null = null;
   private withHandle = false;
   private room: readonly Vec3[] = [];
+  private lastMs = 0;
+  private slow = 0;
   private readonly watches: { disconnect(): void }[] = [];
 
   constructor(
@@ -46,7 +51,8 @@ export class Stage {
     cancelAnimationFrame(this.frame);
     this.watches.forEach((watch) => watch.disconnect());
     this.canvas.removeEventListener("webglcontextrestored", this.restored);
-    this.scene.dispose();
+    // Not while the next page is waited for.
+    setTimeout(() => this.scene.dispose());
   }
 
   setPalette(): void {
@@ -139,13 +145,27 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width < 1 || height < 1) return;
     this.size = { width, height };
-    this.scene.setSize(this.size, devicePixelRatio);
+    this.scene.setSize(this.size, this.slow < SLOW_PICTURES ? devicePixelRatio : 1);
     // Setting the size clears the picture: it is drawn again before it is seen empty.
     this.paint();
   }
 
   private changed(): void {
-    if (this.frame === 0 && this.seen) this.frame = requestAnimationFrame(() => this.paint());
+    if (this.frame !== 0 || !this.seen) return;
+    this.frame = requestAnimationFrame((nowMs) => {
+      this.watchPace(nowMs);
+      this.paint();
+    });
+  }
+
+  /** Counts pictures that came late in a movement; many of them are a phone that cannot do it. */
+  private watchPace(nowMs: number): void {
+    const tookMs = nowMs - this.lastMs;
+    this.lastMs = nowMs;
+    // Longer ago, nothing was to be drawn in between.
+    if (this.slow >= SLOW_PICTURES || tookMs > 250) return;
+    this.slow = tookMs > SLOWEST_MS ? this.slow + 1 : Math.max(0, this.slow - 1);
+    if (this.slow === SLOW_PICTURES) this.measure();
   }
 
   private paint(): void {
