@@ -81,3 +81,15 @@ define_id!(
     /// One motion that the arm made.
     ReproductionId
 );
+define_id!(
+    /// A pose of one robot that somebody gave a name.
+    PositionId
+);
+define_id!(
+    /// One set of answers to the questionnaire.
+    ReplyId
+);
+define_id!(
+    /// Whoever uses one phone: the phone makes it up, and nothing leads from it to a name.
+    PersonId
+);

@@ -54,6 +54,19 @@ fn routes_with_identifiers() -> Vec<(Method, &'static str, Option<Value>)> {
         (Method::GET, "/reproductions/{id}/flight.csv", None),
         (Method::GET, "/reproductions/{id}/flight.mcap", None),
         (Method::GET, "/reproductions/{id}/events", None),
+        (
+            Method::PUT,
+            "/reproductions/{id}/outcome",
+            Some(json!({ "worked": true })),
+        ),
+        (Method::DELETE, "/reproductions/{id}/outcome", None),
+        (Method::GET, "/positions/{id}", None),
+        (
+            Method::PATCH,
+            "/positions/{id}",
+            Some(json!({ "name": "another" })),
+        ),
+        (Method::DELETE, "/positions/{id}", None),
     ]
 }
 

@@ -11,6 +11,7 @@ mod in_process;
 mod independent;
 mod pace;
 mod pairing;
+mod positions;
 mod prepared;
 mod published;
 mod signals;

@@ -7,11 +7,14 @@ import { LoadNotice } from "./components/notice";
 import { Page } from "./components/page";
 import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
+import { DashboardPage } from "./pages/dashboard/dashboard";
 import { LanguagePage } from "./pages/language";
 import { PairingPage } from "./pages/pairing";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
+import { PositionsPage } from "./pages/run/positions";
 import { PreviewPage } from "./pages/run/preview";
+import { QuestionsPage } from "./pages/run/questions";
 import { RunPage } from "./pages/run/run";
 import { SetupPage } from "./pages/run/setup";
 import { ModelPage } from "./pages/teach/model";
@@ -47,7 +50,12 @@ export function App() {
       {ready || route.value.page === "language" ? (
         <Screen route={route.value} />
       ) : open ? (
-        <RobotsPage />
+        // The overview is of all robots, so none has to be chosen for it.
+        route.value.page === "dashboard" ? (
+          <DashboardPage />
+        ) : (
+          <RobotsPage />
+        )
       ) : mustPair.value ? (
         <PairingPage problem={load.problem} />
       ) : (
@@ -61,10 +69,21 @@ export function App() {
 }
 
 function Sections() {
-  const run: ReadonlySet<Route["page"]> = new Set(["run", "setup", "preview", "motion"]);
+  const run: ReadonlySet<Route["page"]> = new Set<Route["page"]>([
+    "run",
+    "setup",
+    "positions",
+    "preview",
+    "motion",
+    "questions",
+  ]);
+  const neither: ReadonlySet<Route["page"]> = new Set<Route["page"]>([
+    "robots",
+    "dashboard",
+    "language",
+  ]);
   const { page: shown } = route.value;
-  const here =
-    shown === "robots" || shown === "language" ? shown : run.has(shown) ? "run" : "teach";
+  const here = neither.has(shown) ? null : run.has(shown) ? "run" : "teach";
   const tab = (page: "teach" | "run", icon: IconName) => (
     <a href={link({ page } as Target)} aria-current={here === page ? "page" : undefined}>
       <Icon name={icon} />
@@ -98,6 +117,8 @@ function Screen({ route }: { route: Route }) {
       return <ModelPage key={route.model} task={route.task} model={route.model} />;
     case "robots":
       return <RobotsPage key="robots" />;
+    case "dashboard":
+      return <DashboardPage key="dashboard" />;
     case "language":
       return <LanguagePage key="language" />;
     case "run":
@@ -108,6 +129,10 @@ function Screen({ route }: { route: Route }) {
       return <PreviewPage key={`preview ${route.task}`} task={route.task} />;
     case "motion":
       return <MotionPage key={route.motion} task={route.task} motion={route.motion} />;
+    case "questions":
+      return <QuestionsPage key={route.motion} task={route.task} motion={route.motion} />;
+    case "positions":
+      return <PositionsPage key={`positions ${route.task}`} task={route.task} />;
     case "missing":
       return (
         <Page

@@ -11,11 +11,14 @@ test("every screen has an address that leads back to it", () => {
     { page: "take", task: "t", take: "d 1" },
     { page: "model", task: "t", model: "m" },
     { page: "robots" },
+    { page: "dashboard" },
     { page: "language" },
     { page: "run" },
     { page: "setup", task: "t" },
     { page: "preview", task: "t" },
     { page: "motion", task: "t", motion: "r" },
+    { page: "questions", task: "t", motion: "r" },
+    { page: "positions", task: "t" },
   ];
   for (const route of routes) expect(parse(link(route))).toEqual(route);
 });

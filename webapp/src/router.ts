@@ -9,11 +9,14 @@ export type Route =
   | { page: "take"; task: string; take: string }
   | { page: "model"; task: string; model: string }
   | { page: "robots" }
+  | { page: "dashboard" }
   | { page: "language" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
   | { page: "motion"; task: string; motion: string }
+  | { page: "questions"; task: string; motion: string }
+  | { page: "positions"; task: string }
   | { page: "missing" };
 
 export function parse(hash: string): Route {
@@ -22,7 +25,7 @@ export function parse(hash: string): Route {
     .split("/")
     .filter(Boolean)
     .map(decode);
-  const [section = "teach", task, place, id] = parts;
+  const [section = "teach", task, place, id, further] = parts;
   if (section === "teach") {
     if (task === undefined) return { page: "teach" };
     if (task === "new" && place === undefined) return { page: "new-task" };
@@ -33,12 +36,16 @@ export function parse(hash: string): Route {
     if (place === "models" && id !== undefined) return { page: "model", task, model: id };
   }
   if (section === "robots" && task === undefined) return { page: "robots" };
+  if (section === "dashboard" && task === undefined) return { page: "dashboard" };
   if (section === "language" && task === undefined) return { page: "language" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
     if (place === "preview") return { page: "preview", task };
-    if (place === "motions" && id !== undefined) return { page: "motion", task, motion: id };
+    if (place === "positions") return { page: "positions", task };
+    if (place === "motions" && id !== undefined) {
+      return { page: further === "questions" ? "questions" : "motion", task, motion: id };
+    }
   }
   return { page: "missing" };
 }
@@ -60,6 +67,8 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return `#/teach/${encodeURIComponent(route.task)}/models/${encodeURIComponent(route.model)}`;
     case "robots":
       return "#/robots";
+    case "dashboard":
+      return "#/dashboard";
     case "language":
       return "#/language";
     case "run":
@@ -67,9 +76,12 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
     case "setup":
       return `#/run/${encodeURIComponent(route.task)}`;
     case "preview":
-      return `#/run/${encodeURIComponent(route.task)}/preview`;
+    case "positions":
+      return `#/run/${encodeURIComponent(route.task)}/${route.page}`;
     case "motion":
       return `#/run/${encodeURIComponent(route.task)}/motions/${encodeURIComponent(route.motion)}`;
+    case "questions":
+      return `${link({ ...route, page: "motion" })}/questions`;
   }
 }
 

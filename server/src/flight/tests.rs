@@ -33,6 +33,8 @@ fn reproduction() -> Reproduction {
         gmcc: None,
         tracking_error_deg: None,
         cycles: None,
+        backwards: false,
+        outcome: None,
     }
 }
 

@@ -1,5 +1,7 @@
 //! The one place where errors become HTTP answers: RFC 9457 problem documents.
 
+mod workers;
+
 use std::borrow::Cow;
 
 use axum::Json;
@@ -182,6 +184,9 @@ impl From<store::Error> for ApiError {
             Error::IdTaken { .. } => {
                 Self::conflict("id_taken", sentence(&error)).advise("Send a new identifier.")
             }
+            Error::NameTaken { .. } => Self::conflict("name_taken", sentence(&error))
+                .at(json!({ "field": "name" }))
+                .advise("Choose another name."),
             Error::Damaged { .. } | Error::Database(_) | Error::Migration(_) => {
                 Self::internal(&error)
             }

@@ -11,15 +11,15 @@ use super::signals::SignalMark;
 use super::state::AppState;
 use super::trajectories::plan_columns;
 use crate::arms::Arm;
-use crate::ids::ModelId;
+use crate::ids::{ModelId, PositionId};
 use crate::planning::{PlanRequest, Target, Warning, signal_remarks};
 use crate::plans::KnownPlan;
+use crate::positions::{PositionError, pose_of, present_pose};
+use crate::store::Store;
 use crate::training;
 
 /// How many points of a plan are sent for its plot.
 const POINTS: usize = 400;
-/// An older pose is not where the arm stands now.
-const FRESH_MS: u64 = 1_000;
 
 /// A motion to be planned.
 #[derive(Debug, Deserialize, ToSchema)]
@@ -45,6 +45,8 @@ pub struct NewPlan {
 pub enum Place {
     /// One that the server knows.
     Named(NamedPlace),
+    /// One that somebody saved.
+    Saved(SavedPlace),
     /// Any other.
     Joints(JointPlace),
     /// As taught.
@@ -61,6 +63,14 @@ pub enum NamedPlace {
     AsTaught,
     /// Where the arm stands now.
     Present,
+}
+
+/// A saved position of the robot that the motion is for.
+#[derive(Clone, Copy, Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SavedPlace {
+    /// Its identifier.
+    position: PositionId,
 }
 
 /// Any pose.
@@ -147,8 +157,8 @@ pub async fn create(
 ) -> Result<Json<Plan>, ApiError> {
     let arm = state.arms.named(new.robot.as_deref())?;
     let request = PlanRequest {
-        start: target(new.start),
-        goal: target(new.goal),
+        start: target(&state.store, new.start, arm).await?,
+        goal: target(&state.store, new.goal, arm).await?,
         speed: new.speed,
     };
     let task_id = state.store.model(new.model_id).await?.task_id;
@@ -178,14 +188,6 @@ fn full_speed() -> f64 {
     1.0
 }
 
-/// Where the arm stands, if that was heard of lately.
-fn present_pose(arm: &Arm) -> Option<JointAngles> {
-    let view = arm.robot.view();
-    let view = view.borrow();
-    let fresh = view.age_ms <= FRESH_MS;
-    view.joints_deg.filter(|_| fresh).map(JointAngles)
-}
-
 fn verdict(known: &KnownPlan) -> String {
     let limits = "The whole motion keeps to the arm's limits.";
     if known.slowed_by > 1.001 {
@@ -195,12 +197,15 @@ fn verdict(known: &KnownPlan) -> String {
     limits.into()
 }
 
-fn target(place: Place) -> Target {
-    match place {
+async fn target(store: &Store, place: Place, arm: &Arm) -> Result<Target, PositionError> {
+    Ok(match place {
         Place::Missing | Place::Named(NamedPlace::AsTaught) => Target::AsTaught,
         Place::Named(NamedPlace::Present) => Target::Present,
+        Place::Saved(SavedPlace { position }) => {
+            Target::Joints(pose_of(store, position, arm).await?)
+        }
         Place::Joints(JointPlace { joints_deg }) => Target::Joints(JointAngles(joints_deg)),
-    }
+    })
 }
 
 pub(super) fn answer(known: &KnownPlan) -> Plan {

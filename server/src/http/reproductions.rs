@@ -40,7 +40,12 @@ pub struct NewReproduction {
 pub struct Filter {
     /// Only of this task.
     task: Option<TaskId>,
+    /// How many at most, from 1 to 200, which is also what is meant when it is missing.
+    limit: Option<u32>,
 }
+
+/// So many reproductions are listed at most.
+const LISTED: u32 = 200;
 
 /// Starts the motion of a plan. A start that is repeated never moves the arm twice.
 #[utoipa::path(post, path = "/reproductions", tag = "reproductions", request_body = NewReproduction,
@@ -80,7 +85,7 @@ pub async fn start(
     Ok((StatusCode::ACCEPTED, headers, Json(reproduction)).into_response())
 }
 
-/// The latest 200 reproductions, newest first.
+/// The latest reproductions, newest first.
 #[utoipa::path(get, path = "/reproductions", tag = "reproductions", params(Filter), responses(
     (status = 200, body = [Reproduction]),
 ))]
@@ -88,7 +93,8 @@ pub async fn list(
     State(state): State<AppState>,
     Query(filter): Query<Filter>,
 ) -> Result<Json<Vec<Reproduction>>, ApiError> {
-    Ok(Json(state.store.reproductions(filter.task).await?))
+    let limit = filter.limit.unwrap_or(LISTED).clamp(1, LISTED);
+    Ok(Json(state.store.reproductions(filter.task, limit).await?))
 }
 
 /// One reproduction.

@@ -12,8 +12,9 @@ use utoipa_axum::routes;
 
 use super::state::AppState;
 use super::{
-    agreement, assets, auth, control, demonstrations, flights, headers, health, jobs, live, models,
-    plans, reproductions, robot, run_control, session, signals, tasks,
+    agreement, assets, auth, control, dashboard, demonstrations, flights, headers, health, jobs,
+    live, models, outcomes, plans, positions, questionnaire, reproductions, robot, run_control,
+    session, signals, tasks,
 };
 
 /// Requests are small; only recorded files are not.
@@ -90,6 +91,17 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(flights::events))
         .routes(routes!(flights::csv))
         .routes(routes!(flights::mcap))
+        .routes(routes!(outcomes::set, outcomes::forget))
+        .routes(routes!(positions::list, positions::save))
+        .routes(routes!(
+            positions::show,
+            positions::change,
+            positions::delete
+        ))
+        .routes(routes!(questionnaire::due))
+        .routes(routes!(questionnaire::reply))
+        .routes(routes!(questionnaire::results))
+        .routes(routes!(dashboard::show))
         .merge(upload)
 }
 

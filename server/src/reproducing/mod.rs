@@ -207,6 +207,7 @@ impl Reproducer {
             start_deg: &plan.start.0,
             goal_deg: &plan.goal.0,
             duration_s: plan.plan.duration_s(),
+            backwards: plan.backwards,
             idempotency_key: request.key.as_deref(),
         };
         // The row comes first, so that no motion can happen of which nothing is known.

@@ -6,12 +6,16 @@
 
 mod audit;
 pub mod cycles;
+pub mod dashboard;
 pub mod demonstrations;
 pub mod flights;
 pub mod jobs;
 pub mod leases;
 pub mod models;
+pub mod outcomes;
 mod pairing;
+pub mod positions;
+pub mod questionnaire;
 pub mod recordings;
 pub mod reproductions;
 pub mod samples;
@@ -58,6 +62,12 @@ pub enum Error {
         /// The kind of thing.
         what: &'static str,
     },
+    /// Something else has this name already.
+    #[error("another {what} of this robot has this name")]
+    NameTaken {
+        /// The kind of thing.
+        what: &'static str,
+    },
     /// Stored bytes do not match their check sum or their shape.
     #[error("the stored {what} is damaged")]
     Damaged {
@@ -82,7 +92,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 7] = [
+const MIGRATIONS: [(i64, &str, &str); 8] = [
     (
         1,
         "tasks and demonstrations",
@@ -117,6 +127,11 @@ const MIGRATIONS: [(i64, &str, &str); 7] = [
         7,
         "flights",
         include_str!("../../../migrations/0007_flights.sql"),
+    ),
+    (
+        9,
+        "positions outcomes questionnaire",
+        include_str!("../../../migrations/0009_positions_outcomes_questionnaire.sql"),
     ),
 ];
 

@@ -5,6 +5,7 @@ use sqlx::Row;
 use sqlx::sqlite::SqliteRow;
 
 use super::flights::CycleCounts;
+use super::outcomes::Outcome;
 use super::text::{json, parsed, to_json, unsigned, words};
 use super::{Error, Result, Store};
 use crate::clock::WallTime;
@@ -92,6 +93,11 @@ pub struct Reproduction {
     /// What the control cycles of the flight record count up to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycles: Option<CycleCounts>,
+    /// Whether it led back along another motion, which is no try at the task.
+    pub backwards: bool,
+    /// What a person said of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outcome: Option<Outcome>,
 }
 
 /// What is known of a reproduction when it begins.
@@ -113,6 +119,8 @@ pub struct NewReproduction<'a> {
     pub goal_deg: &'a [f64],
     /// How long the plan takes, in seconds.
     pub duration_s: f64,
+    /// Whether it leads back along another motion.
+    pub backwards: bool,
     /// The client's key for this start, if it sent one.
     pub idempotency_key: Option<&'a str>,
 }
@@ -148,8 +156,8 @@ impl Store {
     ) -> Result<Reproduction> {
         sqlx::query(
             "INSERT INTO reproduction (id, task_id, model_id, plan, state, created_at_ms, \
-             start_deg, goal_deg, duration_s, idempotency_key, robot) \
-             VALUES (?, ?, ?, ?, 'running', ?, ?, ?, ?, ?, ?)",
+             start_deg, goal_deg, duration_s, idempotency_key, robot, backwards) \
+             VALUES (?, ?, ?, ?, 'running', ?, ?, ?, ?, ?, ?, ?)",
         )
         .bind(new.id.to_string())
         .bind(new.task_id.to_string())
@@ -161,6 +169,7 @@ impl Store {
         .bind(new.duration_s)
         .bind(new.idempotency_key)
         .bind(new.robot)
+        .bind(new.backwards)
         .execute(&self.writer)
         .await?;
         self.reproduction(new.id).await
@@ -216,13 +225,18 @@ impl Store {
             .transpose()
     }
 
-    /// The latest 200 reproductions, newest first; only those of `task` when it is given.
-    pub async fn reproductions(&self, task: Option<TaskId>) -> Result<Vec<Reproduction>> {
+    /// The latest reproductions, newest first; only those of `task` when it is given.
+    pub async fn reproductions(
+        &self,
+        task: Option<TaskId>,
+        limit: u32,
+    ) -> Result<Vec<Reproduction>> {
         sqlx::query(
             "SELECT * FROM reproduction WHERE ?1 IS NULL OR task_id = ?1 \
-             ORDER BY created_at_ms DESC, id DESC LIMIT 200",
+             ORDER BY created_at_ms DESC, id DESC LIMIT ?2",
         )
         .bind(task.map(|task| task.to_string()))
+        .bind(limit)
         .fetch_all(&self.readers)
         .await?
         .iter()
@@ -320,5 +334,7 @@ fn from_row(row: &SqliteRow) -> Result<Reproduction> {
             rms_by_joint,
         }),
         cycles: counts(row)?,
+        backwards: row.try_get("backwards")?,
+        outcome: Outcome::from_row(row)?,
     })
 }

@@ -4,6 +4,8 @@ mod demonstrations;
 mod flights;
 mod jobs;
 mod others;
+mod people;
+mod positions;
 
 use super::demonstrations::{DemonstrationSource, DemonstrationState, NewDemonstration};
 use super::jobs::{Job, NewTraining};

@@ -12,6 +12,7 @@ const source = (name) =>
 const NAMES = {
   PlanRequest: "NewPlan",
   Progress: "JobProgress",
+  ReplyRequest: "NewReply",
   RobotView: "RobotAnswer",
 };
 /** Described by the server as free JSON only. */

@@ -1,6 +1,7 @@
 // Recordings as files, and tasks made from them over the interface: for specs in which teaching
 // by the hand is not the point.
 import assert from "node:assert/strict";
+import { setTimeout } from "node:timers/promises";
 import { BASE_URL } from "./phone.mjs";
 
 const HEADER = "t_s,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
@@ -13,6 +14,12 @@ export function recording({ size = 1, spoil = (row) => row } = {}) {
     return spoil([time, swing, 8 + swing / 2, 24, 0, -45, 0], index).join(",");
   });
   return `${[HEADER, ...rows].join("\n")}\n`;
+}
+
+const TRAINING_MS = 300_000;
+
+export async function get(path) {
+  return (await fetch(new URL(`/api/v1${path}`, BASE_URL))).json();
 }
 
 export async function post(path, options) {
@@ -36,6 +43,19 @@ export async function taskFromFiles(name) {
     await post(`/demonstrations/${take.id}/keep`);
   }
   return task;
+}
+
+/** A task whose motion is trained. */
+export async function trainedTask(name) {
+  const task = await taskFromFiles(name);
+  const { job } = await post(`/tasks/${task.id}/models`, json({}));
+  const end = Date.now() + TRAINING_MS;
+  for (;;) {
+    const now = await get(`/jobs/${job.id}`);
+    if (now.state === "succeeded") return task;
+    await setTimeout(100);
+    assert.ok(Date.now() < end && now.state !== "failed", `${name} is not trained: ${now.state}`);
+  }
 }
 
 /** Gives the server so many trainings that the next one has to wait for its turn. */

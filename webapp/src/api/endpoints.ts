@@ -2,14 +2,20 @@
 import { address, request } from "./client";
 import type {
   Curve,
+  Dashboard,
   Demonstration,
   Flight,
   FlightEvent,
+  Grouping,
   HandScript,
   Job,
   Model,
   Plan,
   PlanRequest,
+  Position,
+  QuestionnaireDue,
+  QuestionnaireResult,
+  ReplyRequest,
   Reproduction,
   RobotView,
   Session,
@@ -96,3 +102,30 @@ export const getFlightEvents = (id: string) =>
 /** For a link: the browser saves the file as it comes. */
 export const flightFile = (id: string, kind: "csv" | "mcap") =>
   address(`/reproductions/${id}/flight.${kind}`);
+
+export const listReproductions = (task: string, limit: number) =>
+  request<Reproduction[]>("GET", `/reproductions?task=${task}&limit=${limit}`);
+export const setOutcome = (id: string, worked: boolean, note?: string) =>
+  request<Reproduction>("PUT", `/reproductions/${id}/outcome`, { body: { worked, note } });
+export const takeBackOutcome = (id: string) =>
+  request<Reproduction>("DELETE", `/reproductions/${id}/outcome`);
+
+export const listPositions = (robot: string) =>
+  request<Position[]>("GET", `/positions?robot=${robot}`);
+/** Where the arm stands now, as the server knows it. */
+export const savePresentPosition = (id: string, robot: string, name: string) =>
+  request<Position>("POST", "/positions", { body: { id, robot, name } });
+export const changePosition = (id: string, change: { name?: string; present?: boolean }) =>
+  request<Position>("PATCH", `/positions/${id}`, { body: change });
+export const deletePosition = (id: string) => request<null>("DELETE", `/positions/${id}`);
+
+export const questionnaireDue = (person: string, reproduction: string) =>
+  request<QuestionnaireDue>(
+    "GET",
+    `/questionnaire/due?person=${person}&reproduction=${reproduction}`,
+  );
+export const sendReply = (body: ReplyRequest) =>
+  request<unknown>("POST", "/questionnaire", { body });
+export const questionnaireResults = (by: Grouping) =>
+  request<QuestionnaireResult[]>("GET", `/questionnaire/results?by=${by}`);
+export const getDashboard = () => request<Dashboard>("GET", "/dashboard");

@@ -165,7 +165,7 @@ export interface Curve {
   std_deg: number[][];
 }
 
-export type Placement = "as_taught" | "present" | { joints_deg: Joints };
+export type Placement = "as_taught" | "present" | { position: string } | { joints_deg: Joints };
 
 export interface PlanRequest {
   model_id: string;
@@ -210,6 +210,82 @@ export interface Reproduction {
   armed_at?: string | null;
   cycles?: CycleCounts | null;
   duration_s: number;
+  /** It led back along another motion. */
+  backwards: boolean;
+  outcome?: Outcome | null;
+}
+
+/** What a person said of a motion. */
+export interface Outcome {
+  worked: boolean;
+  note?: string | null;
+  at: string;
+}
+
+/** A pose of one robot under a name. */
+export interface Position {
+  id: string;
+  robot: string;
+  name: string;
+  joints_deg: Joints;
+  created_at: string;
+}
+
+export interface QuestionnaireDue {
+  due: boolean;
+}
+
+export interface ReplyRequest {
+  id: string;
+  person: string;
+  task_id: string;
+  reproduction_id: string;
+  /** From 1 to 5; missing when the person does not want to answer. */
+  answers?: number[];
+}
+
+export type Grouping = "all" | "week" | "month";
+
+/** The means of the answers about one task in one period. */
+export interface QuestionnaireResult {
+  task_id: string;
+  task_name: string;
+  /** The period's first day. */
+  from: string;
+  replies: number;
+  mean: number[];
+}
+
+export interface RunSummary {
+  id: string;
+  task_id: string;
+  task_name: string;
+  robot?: string | null;
+  state: Reproduction["state"];
+  created_at: string;
+  e_j_deg?: number | null;
+  gmcc?: number | null;
+  worked?: boolean | null;
+}
+
+export interface TaskSummary {
+  task_id: string;
+  name: string;
+  runs: number;
+  succeeded: number;
+  judged: number;
+  worked: number;
+  e_j_mean_deg?: number | null;
+  gmcc_mean?: number | null;
+  last_run_at?: string | null;
+}
+
+export interface Dashboard {
+  at: string;
+  robots: RobotView[];
+  jobs: Job[];
+  runs: RunSummary[];
+  tasks: TaskSummary[];
 }
 
 /** How far the arm was from where it was asked to be. */

@@ -1,6 +1,7 @@
 // The robots of the cell: choosing the one that this phone works with, and how each of them is.
 import { useEffect } from "preact/hooks";
 import type { RobotView } from "../api/types";
+import { ButtonLink } from "../components/button";
 import { Icon } from "../components/icon";
 import { LoadNotice } from "../components/notice";
 import { Page } from "../components/page";
@@ -32,6 +33,9 @@ export function RobotsPage() {
           </li>
         ))}
       </ul>
+      <ButtonLink to={{ page: "dashboard" }} look="quiet" icon="train">
+        {t.dashboard.open}
+      </ButtonLink>
     </Page>
   );
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { asTyped, planRequest, type RunSetup } from "./run-setup";
+import { asTyped, lacksPosition, planRequest, type RunSetup } from "./run-setup";
 
 const setup: RunSetup = {
   goal: "as_taught",
@@ -29,4 +29,17 @@ test("typed angles are sent as numbers, and only when all six are good", () => {
 
 test("angles offered for typing can be read back", () => {
   expect(asTyped([-12.345, 0])).toEqual(["-12.3", "0.0"]);
+});
+
+test("a saved position is sent by its id, and only when one is chosen", () => {
+  const saved: RunSetup = { ...setup, goal: "saved", start: "saved", goalPosition: "p" };
+  expect(planRequest("m", saved)).toBeNull();
+  expect(lacksPosition(saved)).toBe(true);
+  const both = { ...saved, startPosition: "q" };
+  expect(lacksPosition(both)).toBe(false);
+  expect(planRequest("m", both)).toMatchObject({
+    goal: { position: "p" },
+    start: { position: "q" },
+  });
+  expect(lacksPosition({ ...setup, goalPosition: "p" })).toBe(false);
 });

@@ -7,8 +7,8 @@ import { fixed } from "../format/numbers";
 import { robot } from "./live";
 import { robotId } from "./robots";
 
-export type GoalChoice = "as_taught" | "present" | "typed";
-export type StartChoice = "as_taught" | "present";
+export type GoalChoice = "as_taught" | "present" | "saved" | "typed";
+export type StartChoice = "as_taught" | "present" | "saved";
 export const SPEEDS = ["0.25", "0.5", "1"] as const;
 export type Speed = (typeof SPEEDS)[number];
 
@@ -20,6 +20,9 @@ export interface RunSetup {
   /** The six typed joint angles, as typed. */
   typed: string[];
   start: StartChoice;
+  /** The saved positions that are chosen, by id. */
+  goalPosition?: string;
+  startPosition?: string;
   speed: Speed;
   mode: RunMode;
 }
@@ -55,12 +58,32 @@ export function planOf(task: string): Plan | undefined {
   return plan?.robot === robotId.value ? plan : undefined;
 }
 
-/** The choices as a request; null while a typed number is missing or wrong. */
+/** The choices as a request; null while a typed number is missing or wrong, or a saved position is
+ *  still to be chosen. */
 export function planRequest(model: string, setup: RunSetup): PlanRequest | null {
-  const joints = setup.goal === "typed" ? readJoints(setup.typed) : null;
-  if (setup.goal === "typed" && joints === null) return null;
-  const goal: Placement = setup.goal === "typed" ? { joints_deg: joints ?? [] } : setup.goal;
-  return { model_id: model, start: setup.start, goal, speed: Number(setup.speed) };
+  const goal = placement(setup.goal, setup.goalPosition, setup.typed);
+  const start = placement(setup.start, setup.startPosition, []);
+  if (goal === null || start === null) return null;
+  return { model_id: model, start, goal, speed: Number(setup.speed) };
+}
+
+function placement(
+  choice: GoalChoice,
+  position: string | undefined,
+  typed: readonly string[],
+): Placement | null {
+  if (choice === "saved") return position === undefined ? null : { position };
+  if (choice !== "typed") return choice;
+  const joints = readJoints(typed);
+  return joints && { joints_deg: joints };
+}
+
+/** Whether a saved position is still to be chosen. */
+export function lacksPosition(setup: RunSetup): boolean {
+  return (
+    (setup.goal === "saved" && setup.goalPosition === undefined) ||
+    (setup.start === "saved" && setup.startPosition === undefined)
+  );
 }
 
 /** Asks the server for the motion and keeps it for the preview. */

@@ -94,7 +94,7 @@ async fn two_robots_move_at_once_and_stopping_one_leaves_the_other_moving() {
     assert!(
         app.state
             .store
-            .reproductions(None)
+            .reproductions(None, 200)
             .await
             .unwrap()
             .is_empty()

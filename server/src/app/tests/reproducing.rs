@@ -138,7 +138,7 @@ async fn a_motion_is_started_once_and_judged_by_what_was_measured() {
         panic!("{moved:?}")
     };
     assert_eq!(error.code(), "arm_moved");
-    let all = app.state.store.reproductions(None).await.unwrap();
+    let all = app.state.store.reproductions(None, 200).await.unwrap();
     assert_eq!(all.len(), 1, "a refused start is no reproduction");
     app.shutdown().await;
 }

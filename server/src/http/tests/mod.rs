@@ -7,6 +7,8 @@ mod demonstrations;
 mod faults;
 mod learning;
 mod live;
+mod people;
+mod positions;
 mod robot;
 mod tasks;
 

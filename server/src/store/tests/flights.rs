@@ -19,6 +19,7 @@ async fn running(store: &Store) -> ReproductionId {
         start_deg: &[1.0; 6],
         goal_deg: &[2.0; 6],
         duration_s: 7.5,
+        backwards: false,
         idempotency_key: None,
     };
     store.create_reproduction(new, NOW).await.unwrap().id

@@ -40,6 +40,7 @@ fn new<'a>(task_id: TaskId, model_id: crate::ids::ModelId, key: &'a str) -> NewR
         start_deg: &[1.0; 6],
         goal_deg: &[2.0; 6],
         duration_s: 7.5,
+        backwards: false,
         idempotency_key: Some(key),
     }
 }
@@ -93,13 +94,13 @@ async fn a_reproduction_is_closed_with_its_figures() {
     assert_eq!(done.cycles, result.cycles);
     assert!(store.running_reproduction("left").await.unwrap().is_none());
     assert_eq!(
-        store.reproductions(Some(task)).await.unwrap(),
+        store.reproductions(Some(task), 200).await.unwrap(),
         std::slice::from_ref(&done)
     );
-    assert_eq!(store.reproductions(None).await.unwrap(), [done]);
+    assert_eq!(store.reproductions(None, 200).await.unwrap(), [done]);
     assert!(
         store
-            .reproductions(Some(TaskId::new()))
+            .reproductions(Some(TaskId::new()), 200)
             .await
             .unwrap()
             .is_empty()

@@ -5,11 +5,15 @@ import { Notice, ProblemNotice } from "../../components/notice";
 import { errorDegrees, duration, fixed } from "../../format/numbers";
 import { t } from "../../texts";
 import { FlightRecord } from "./flight";
+import { QuestionnaireInvite } from "./invite";
+import { OutcomeQuestion } from "./outcome";
 
 export function MotionResult({ motion }: { motion: Reproduction }) {
   return (
     <>
       <Verdict motion={motion} />
+      <OutcomeQuestion motion={motion} />
+      <QuestionnaireInvite motion={motion} />
       <MotionFigures motion={motion} />
       <ByJoint motion={motion} />
       <FlightRecord motion={motion} />

@@ -38,6 +38,9 @@ export function RunPage() {
           </RowLink>
         ))}
       </ul>
+      <ButtonLink to={{ page: "dashboard" }} look="quiet" icon="train">
+        {t.dashboard.open}
+      </ButtonLink>
     </Page>
   );
 }

@@ -13,6 +13,7 @@ import { go } from "../../state/navigation";
 import {
   asTyped,
   change,
+  lacksPosition,
   planRequest,
   preview,
   setupOf,
@@ -22,6 +23,8 @@ import {
 } from "../../state/run-setup";
 import { t } from "../../texts";
 import { JointInputs } from "./joint-inputs";
+import { RecentRuns } from "./recent-runs";
+import { SavedChoice } from "./saved-choice";
 
 export function SetupPage({ task }: { task: string }) {
   const load = useLoad(async () => {
@@ -60,6 +63,9 @@ function Setup({ task, name, model }: { task: string; name: string; model: Model
     change(task, { goal, typed: first });
   };
   const incomplete = planRequest(model.id, setup) === null;
+  const toDo = lacksPosition(setup) ? t.positions.chooseFirst : t.run.fixNumbers;
+  const goals = { ...t.run.goals, saved: t.positions.choice };
+  const starts = { ...t.run.starts, saved: t.positions.choice };
   return (
     <Page
       title={name}
@@ -68,7 +74,7 @@ function Setup({ task, name, model }: { task: string; name: string; model: Model
         <Button
           look="primary"
           icon="eye"
-          why={incomplete ? t.run.fixNumbers : null}
+          why={incomplete ? toDo : null}
           busy={plan.busy && t.run.previewing}
           onPress={plan.start}
         >
@@ -79,20 +85,36 @@ function Setup({ task, name, model }: { task: string; name: string; model: Model
       {plan.problem && <ProblemNotice title={t.run.refused} problem={plan.problem} />}
       <Choice
         legend={t.run.goal}
-        options={options(["as_taught", "present", "typed"] as const, t.run.goals)}
+        options={options(["as_taught", "present", "saved", "typed"] as const, goals)}
         value={setup.goal}
         onChoose={chooseGoal}
       />
       {setup.goal === "typed" && (
         <JointInputs values={setup.typed} onChange={(typed) => change(task, { typed })} />
       )}
+      {setup.goal === "saved" && (
+        <SavedChoice
+          task={task}
+          legend={t.positions.goal}
+          value={setup.goalPosition}
+          onChoose={(goalPosition) => change(task, { goalPosition })}
+        />
+      )}
       {(setup.goal === "present" || setup.start === "present") && <PresentJoints />}
       <Choice<StartChoice>
         legend={t.run.start}
-        options={options(["as_taught", "present"] as const, t.run.starts)}
+        options={options(["as_taught", "present", "saved"] as const, starts)}
         value={setup.start}
         onChoose={(start) => change(task, { start })}
       />
+      {setup.start === "saved" && (
+        <SavedChoice
+          task={task}
+          legend={t.positions.start}
+          value={setup.startPosition}
+          onChoose={(startPosition) => change(task, { startPosition })}
+        />
+      )}
       <Choice
         row
         legend={t.run.speed}
@@ -104,6 +126,7 @@ function Setup({ task, name, model }: { task: string; name: string; model: Model
         value={setup.speed}
         onChoose={(speed) => change(task, { speed })}
       />
+      <RecentRuns task={task} />
     </Page>
   );
 }

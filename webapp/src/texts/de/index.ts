@@ -3,8 +3,11 @@
 import type { Texts } from "..";
 import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
+import { dashboard } from "./dashboard";
+import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
+import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -14,9 +17,12 @@ import { teach } from "./teach";
 export const de: Texts = {
   arm3d,
   control,
+  dashboard,
+  feedback,
   flight,
   hold,
   language,
+  positions,
   robot,
   robots,
   run,

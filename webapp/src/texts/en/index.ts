@@ -1,8 +1,11 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
 import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
+import { dashboard } from "./dashboard";
+import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
+import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -12,9 +15,12 @@ import { teach } from "./teach";
 export const en = {
   arm3d,
   control,
+  dashboard,
+  feedback,
   flight,
   hold,
   language,
+  positions,
   robot,
   robots,
   run,

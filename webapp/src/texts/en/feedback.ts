@@ -1,0 +1,42 @@
+// English words for what a worker says after a run: the outcome and the questionnaire.
+export const feedback = {
+  question: "Did it do its work?",
+  worked: "It worked",
+  failed: "It did not",
+  thanks: "Written down. You may change it.",
+  takeBack: "Take it back",
+  note: "What went wrong? (You may leave this out.)",
+  saveNote: "Save the note",
+  noteSaved: "The note is saved.",
+  saving: "Saving…",
+
+  recent: "Last runs",
+  openRun: (when: string, state: string) => `Run of ${when}: ${state}`,
+
+  invite: "Five short questions",
+  inviteDetail: "What do you think of working with the arm? No names are kept.",
+  answer: "Answer",
+  skip: "Not this shift",
+  skipping: "Closing…",
+  title: "Five short questions",
+  explain: "1 means not at all, 5 means completely.",
+  lowest: "Not at all",
+  highest: "Completely",
+  scale: {
+    "1": "1, not at all",
+    "2": "2, rather not",
+    "3": "3, undecided",
+    "4": "4, mostly",
+    "5": "5, completely",
+  } as Record<string, string>,
+  statements: {
+    learned: "The arm has learned the right motion.",
+    safe: "Working with the arm felt safe to me.",
+    accurate: "The arm arrived exactly at the goal.",
+    simple: "It was easy to teach the arm a motion.",
+    enjoyable: "It was fun to teach the arm a motion.",
+  },
+  missing: (left: string) => `Still open: ${left}`,
+  send: "Send",
+  sending: "Sending…",
+};
