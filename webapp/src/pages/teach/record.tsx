@@ -23,7 +23,7 @@ const COUNT_FROM = 3;
 /** Seconds to bring an arm back by hand, and by a finger in its picture; and how many more a press
  *  gives. */
 const BRING_BACK_FROM = 10;
-const DRAG_BACK_FROM = 30;
+const DRAG_BACK_FROM = 20;
 const MORE = 10;
 const LEADERS: readonly Leader[] = ["self", "f1", "f2", "f3"];
 
