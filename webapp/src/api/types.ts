@@ -420,4 +420,8 @@ export type LiveMessage =
   | { type: "demonstration"; demonstration: Demonstration }
   | { type: "job"; job: Job }
   | { type: "model"; model: Model }
-  | { type: "reproduction"; reproduction: Reproduction };
+  | { type: "reproduction"; reproduction: Reproduction }
+  | ({ type: "drag_refused" } & DragRefused);
+
+/** Why the virtual arm does not go where a finger wants it. */
+export type DragRefused = { code: string; detail: string; advice: string };
