@@ -10,6 +10,7 @@ import "./styles/flight.css";
 import "./styles/arm3d.css";
 import "./styles/feedback.css";
 import "./styles/dashboard.css";
+import "./styles/teaching.css";
 import "./styles/language.css";
 import "./styles/forced-colours.css";
 

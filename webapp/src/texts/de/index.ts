@@ -13,6 +13,7 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const de: Texts = {
   arm3d,
@@ -28,6 +29,7 @@ export const de: Texts = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Bereiche",

@@ -13,6 +13,7 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const fr: Texts = {
   arm3d,
@@ -28,6 +29,7 @@ export const fr: Texts = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Rubriques",
