@@ -422,10 +422,7 @@ export type LiveMessage =
   | { type: "model"; model: Model }
   | { type: "reproduction"; reproduction: Reproduction }
   /** Once for each drag that cannot begin or go on. */
-  | ({ type: "drag_refused" } & DragRefused);
-
-/** Why the virtual arm does not go where a finger wants it. */
-export type DragRefused = { code: string; detail: string; advice: string };
+  | { type: "drag_refused"; code: string; detail: string; advice: string };
 
 /** What drags the soft virtual arm on the live socket: where the centre of the tool flange shall be
  *  in the base frame, turned about its own axes from how it was when the drag began. */
