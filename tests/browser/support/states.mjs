@@ -309,7 +309,7 @@ export function statesOf(world) {
       shows: ".dashboard .radar",
       then: async (page) => {
         await page.locator(".radar").first().waitFor();
-        await top(page, ".dashboard-part:last-child");
+        await top(page, ".dashboard > .dashboard-part:last-child");
       },
     },
     { name: "language", at: "#/language", shows: ".language-choice" },
