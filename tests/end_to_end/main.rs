@@ -18,6 +18,7 @@ mod signals;
 mod steps;
 mod stop;
 mod teach_and_reproduce;
+mod teaching;
 mod tidy;
 mod virtual_robot;
 mod webapp;

@@ -9,6 +9,7 @@ import "./styles/plots.css";
 import "./styles/flight.css";
 import "./styles/feedback.css";
 import "./styles/dashboard.css";
+import "./styles/teaching.css";
 import "./styles/language.css";
 import "./styles/forced-colours.css";
 

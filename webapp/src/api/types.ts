@@ -13,6 +13,18 @@ export interface Task {
   id: string;
   name: string;
   created_at: string;
+  /** Names its photo; another photo has another name. */
+  picture?: string | null;
+}
+
+/** The stretch of a take that is used, in seconds since its recording began. */
+export interface Trim {
+  from_s: number;
+  to_s: number;
+}
+
+export interface TrimSuggestion {
+  trim?: Trim | null;
 }
 
 export type DemonstrationState =
@@ -32,6 +44,10 @@ export interface Demonstration {
   samples: number;
   rate_hz: number;
   gaps: number;
+  pauses?: number;
+  /** Where the arm was when the recording was held up; only while it is. */
+  paused_at_deg?: Joints | null;
+  trim?: Trim | null;
   note?: string | null;
   usable: boolean;
   problem?: string | null;
@@ -80,10 +96,17 @@ export interface RunSignalMark {
   late_s: number;
 }
 
+/** Where a recording was held up. */
+export interface PauseMark {
+  at_s: number;
+  length_s?: number | null;
+}
+
 export interface Trajectory {
   t_s: number[];
   joints_deg: number[][];
   signals: SignalMark[];
+  pauses?: PauseMark[];
 }
 
 export interface Failure {
@@ -148,6 +171,8 @@ export interface Model {
   state: "training" | "ready" | "failed" | "cancelled";
   job_id: string;
   demonstrations: string[];
+  /** For each of these, the stretch that was used. */
+  trims?: (Trim | null)[];
   method: string;
   seed: number;
   created_at: string;

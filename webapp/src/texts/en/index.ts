@@ -10,6 +10,7 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const en = {
   control,
@@ -24,6 +25,7 @@ export const en = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Sections",

@@ -12,6 +12,7 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const fr: Texts = {
   control,
@@ -26,6 +27,7 @@ export const fr: Texts = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Rubriques",
