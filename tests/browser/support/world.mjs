@@ -24,7 +24,9 @@ export async function makeWorld() {
   const motion = await move(training.model);
   const stopped = await moveAndStop(training.model);
   await speak(tasks.drill, motion.motion, stopped);
-  await post("/positions", { robot: "virtual", name: "Fixture" });
+  // The server may have seen a world before, and a name is taken once.
+  const saved = await get("/positions");
+  if (saved.length === 0) await post("/positions", { robot: "virtual", name: "Fixture" });
   return { tasks, ...shown, ...training, ...odd, ...motion, stopped };
 }
 
