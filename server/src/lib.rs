@@ -19,6 +19,7 @@ mod http;
 pub mod ids;
 mod jobs;
 mod pairing;
+mod pictures;
 pub mod planning;
 mod plans;
 mod positions;
@@ -31,6 +32,7 @@ mod store;
 #[cfg(test)]
 mod test_support;
 mod training;
+mod trimming;
 mod uninterrupted;
 mod uploads;
 mod words;

@@ -19,6 +19,7 @@ mod signals;
 mod steps;
 mod stop;
 mod teach_and_reproduce;
+mod teaching;
 mod tidy;
 mod virtual_robot;
 mod webapp;

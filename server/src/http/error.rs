@@ -1,5 +1,6 @@
 //! The one place where errors become HTTP answers: RFC 9457 problem documents.
 
+mod teaching;
 mod workers;
 
 use std::borrow::Cow;
@@ -18,7 +19,6 @@ use crate::control::ControlError;
 use crate::dragging::DragError;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
-use crate::recording::RecordingError;
 use crate::reproducing::ReproducingError;
 use crate::store;
 use crate::training::TrainingError;
@@ -269,28 +269,6 @@ impl From<DragError> for ApiError {
             DragError::Taken => ("drag_taken", "Wait until they let go."),
         };
         Self::conflict(code, sentence(&error)).advise(advice)
-    }
-}
-
-impl From<RecordingError> for ApiError {
-    fn from(error: RecordingError) -> Self {
-        match error {
-            RecordingError::Robot(error) => error.into(),
-            RecordingError::Store(error) => error.into(),
-            RecordingError::Busy => {
-                Self::conflict("robot_busy", sentence(&error)).advise("Stop that recording first.")
-            }
-            RecordingError::NoVirtualHand => {
-                Self::conflict("no_virtual_hand", sentence(&error)).advise("Guide the arm by hand.")
-            }
-            RecordingError::NotOpen => Self::conflict("wrong_state", sentence(&error)),
-            RecordingError::Closing => Self::new(
-                StatusCode::SERVICE_UNAVAILABLE,
-                "shutting_down",
-                sentence(&error),
-            )
-            .retry_after(5),
-        }
     }
 }
 

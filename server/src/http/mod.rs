@@ -17,6 +17,8 @@ mod jobs;
 mod live;
 mod models;
 mod outcomes;
+mod pauses;
+mod pictures;
 mod plans;
 mod positions;
 mod questionnaire;
@@ -31,6 +33,7 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod trims;
 
 pub use state::AppState;
 

@@ -1,6 +1,6 @@
 // A server's content with something of everything, made over the interface within a minute; and
 // what passes by quickly (a recording, a training, a motion), as the server told it at that moment.
-import { eventually, get, patch, post, upload } from "./api.mjs";
+import { eventually, get, patch, post, put, upload } from "./api.mjs";
 import { recording } from "./files.mjs";
 
 /** What the tasks are called on screenshots, so that a page is of one language. */
@@ -22,6 +22,8 @@ export async function makeWorld() {
   const odd = await differing(tasks.lid);
   const motion = await move(training.model);
   const stopped = await moveAndStop(training.model);
+  await speak(tasks.drill, motion.motion, stopped);
+  await post("/positions", { robot: "virtual", name: "Fixture" });
   return { tasks, ...shown, ...training, ...odd, ...motion, stopped };
 }
 
@@ -83,6 +85,20 @@ async function differing(task) {
   for (const take of takes) await post(`/demonstrations/${take.id}/keep`);
   const waiting = await upload(task, "swing.csv", recording({ size: 1.04 }));
   return { oddTake: takes[2].id, waitingTake: waiting.id };
+}
+
+/** What people said of the runs, some of them in the questionnaire. */
+async function speak(task, motion, stopped) {
+  await put(`/reproductions/${motion}/outcome`, { worked: true });
+  await put(`/reproductions/${stopped}/outcome`, { worked: false, note: "The part slipped." });
+  for (const answers of [
+    [5, 4, 4, 5, 4],
+    [4, 5, 3, 4, 4],
+    [5, 3, 4, 4, 5],
+  ]) {
+    const person = crypto.randomUUID();
+    await post("/questionnaire", { person, task_id: task, reproduction_id: motion, answers });
+  }
 }
 
 const plan = (model, speed) =>

@@ -23,7 +23,7 @@ const CATALOGUES: &str = "webapp/src/words/";
 const LANGUAGES: [&str; 3] = ["de", "fr", "it"];
 
 /// Sources whose words no phone ever shows, and where they are read instead.
-const NOT_FOR_PHONES: [(&str, &str); 13] = [
+const NOT_FOR_PHONES: [(&str, &str); 12] = [
     ("server/src/announce.rs", "the terminal: that it is ready"),
     ("server/src/app.rs", "the terminal: why it does not start"),
     ("server/src/cell/", "the terminal: the configuration file"),
@@ -32,10 +32,6 @@ const NOT_FOR_PHONES: [(&str, &str); 13] = [
     ("server/src/http/assets.rs", "browsers: headers"),
     ("server/src/http/headers.rs", "browsers: headers"),
     ("server/src/program.rs", "the terminal"),
-    (
-        "server/src/store/cycles.rs",
-        "the database: kinds of cycles",
-    ),
     (
         "server/crates/learning/src/model.rs",
         "the terminal: model files made by hand",
@@ -63,7 +59,9 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
             "asked for a training",
             "began a recording",
             "called off",
+            "changed a position",
             "changed the speed of a motion",
+            "deleted a position",
             "deleted a task",
             "discarded a demonstration",
             "ended a recording",
@@ -74,12 +72,15 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
             "paired {",
             "paused a motion",
             "reset a signal",
+            "said that a motion",
+            "saved a position",
             "set a signal",
             "started a motion",
             "stopped a motion",
             "stopped every arm",
             "stopped the arm",
             "this computer",
+            "took back what was said",
             "uploaded a demonstration",
             "wrong pairing code",
         ],
@@ -126,6 +127,7 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
             "the database could not be brought up to date",
             "jobs and models",
             "pairing and audit",
+            "positions outcomes questionnaire",
             "tasks and demonstrations",
             "train_model {}",
         ],
@@ -153,8 +155,15 @@ const FIELDS: [&str; 10] = [
 ];
 /// ... when one of these is called with it...
 const CALLS: [&str; 3] = ["judge", "not_found", "resolve"];
-/// ... or in the body of one of these: what a state is called, and the words of the store.
-const BODIES: [&str; 2] = ["words", "fmt"];
+/// ... or in the body of one of these: what a state is called.
+const BODIES: [(&str, &str); 6] = [
+    ("server/crates/robot/src/view.rs", "words"),
+    ("server/crates/rws/src/panel.rs", "fmt"),
+    ("server/src/store/demonstrations.rs", "words"),
+    ("server/src/store/jobs.rs", "words"),
+    ("server/src/store/models.rs", "words"),
+    ("server/src/store/reproductions.rs", "words"),
+];
 
 /// Every sentence and part of one, with where it is said.
 fn spoken(files: &[Tracked]) -> BTreeMap<String, String> {
@@ -164,7 +173,7 @@ fn spoken(files: &[Tracked]) -> BTreeMap<String, String> {
             let text = literal.text.trim();
             let mut exceptions = EXCEPTIONS.iter().flat_map(|(_, parts)| parts.iter());
             let excepted = exceptions.any(|part| text.starts_with(part));
-            if !excepted && (is_sentence(text) || is_part(&literal)) {
+            if !excepted && (is_sentence(text) || is_part(&file.path, &literal)) {
                 let place = format!("{}:{}", file.path, literal.line);
                 spoken.entry(text.to_owned()).or_insert(place);
             }
@@ -207,12 +216,12 @@ fn is_sentence(text: &str) -> bool {
         && words.any(|word| word.len() > 1 && word.chars().any(char::is_lowercase))
 }
 
-fn is_part(literal: &Literal) -> bool {
+fn is_part(path: &str, literal: &Literal) -> bool {
     !literal.text.is_empty()
         && literal.text.chars().all(char::is_alphabetic)
         && (FIELDS.contains(&literal.before.as_str())
             || CALLS.contains(&literal.call.as_str())
-            || BODIES.contains(&literal.inside.as_str()))
+            || BODIES.contains(&(path, literal.inside.as_str())))
 }
 
 /// A language's entries, each with the file it stands in.

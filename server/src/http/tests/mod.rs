@@ -8,9 +8,11 @@ mod faults;
 mod learning;
 mod live;
 mod people;
+mod pictures;
 mod positions;
 mod robot;
 mod tasks;
+mod trims;
 
 use std::net::SocketAddr;
 use std::sync::Arc;

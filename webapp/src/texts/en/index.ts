@@ -1,4 +1,5 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -10,8 +11,10 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const en = {
+  arm3d,
   control,
   dashboard,
   feedback,
@@ -24,6 +27,7 @@ export const en = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Sections",

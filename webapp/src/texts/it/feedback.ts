@@ -33,7 +33,7 @@ export const feedback: Texts["feedback"] = {
   },
   statements: {
     learned: "Il braccio ha imparato il movimento giusto.",
-    safe: "Lavorando con il braccio mi sono sentito sicuro.",
+    safe: "Lavorare con il braccio mi è sembrato sicuro.",
     accurate: "Il braccio è arrivato esattamente alla meta.",
     simple: "È stato facile insegnare un movimento al braccio.",
     enjoyable: "È stato divertente insegnare un movimento al braccio.",
