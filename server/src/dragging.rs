@@ -17,7 +17,7 @@ use tokio::sync::{Mutex, OwnedMutexGuard, mpsc, watch};
 use tokio::time::{Instant, MissedTickBehavior, interval};
 
 use crate::arms::Arm;
-use crate::control::{ControlError, Phone};
+use crate::control::ControlError;
 
 /// How often the hand hears where to lead the arm.
 const TICK: Duration = Duration::from_millis(20);
@@ -78,8 +78,9 @@ impl<'a> Drags<'a> {
         (drags, told)
     }
 
-    /// A target; with the first one a drag begins. Never waits.
-    pub fn aim(&mut self, phone: Option<&Phone>, target: Target) {
+    /// A target; with the first one a drag begins, for which `claim` has to give control of the
+    /// robot. Never waits.
+    pub fn aim(&mut self, target: Target, claim: impl FnOnce() -> Result<(), ControlError>) {
         match &mut self.attempt {
             Attempt::Dragging(targets) => {
                 if targets.send(target).is_err() {
@@ -90,7 +91,7 @@ impl<'a> Drags<'a> {
             }
             Attempt::Refused { last } if last.elapsed() < SILENCE => *last = Instant::now(),
             Attempt::None | Attempt::Refused { .. } => {
-                self.attempt = match self.begin(phone, target) {
+                self.attempt = match self.begin(target, claim) {
                     Ok(targets) => Attempt::Dragging(targets),
                     Err(error) => {
                         // Only a client that reads nothing misses it.
@@ -110,12 +111,12 @@ impl<'a> Drags<'a> {
 
     fn begin(
         &self,
-        phone: Option<&Phone>,
         target: Target,
+        claim: impl FnOnce() -> Result<(), ControlError>,
     ) -> Result<watch::Sender<Target>, DragError> {
         let arm = self.arm;
         let joints = joints_of(&arm.robot.view().borrow())?;
-        arm.claim(phone)?;
+        claim()?;
         let seat = Arc::clone(&arm.drag.0);
         let seat = seat.try_lock_owned().map_err(|_| DragError::Taken)?;
         let mut drag = Drag::begin(joints, &with_whole_arm(&arm.limits));

@@ -204,7 +204,8 @@ async fn receive(
                 Ok(Command::Hold { reproduction }) => holds.hold(client, reproduction),
                 Ok(Command::LetGo) => holds.let_go(),
                 Ok(Command::Drag { tool_mm, turn_deg }) => {
-                    drags.aim(client.phone.as_ref(), Target { tool_mm, turn_deg });
+                    let target = Target { tool_mm, turn_deg };
+                    drags.aim(target, || arm.claim(client.phone.as_ref()));
                 }
                 Ok(Command::DragEnd) => drags.end(),
                 Err(_) => {}
