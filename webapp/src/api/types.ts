@@ -6,7 +6,15 @@ export type Joints = number[];
 export interface Session {
   paired: boolean;
   pairing_required: boolean;
+  https: boolean;
   version: string;
+}
+
+/** What another phone needs to come in. */
+export interface Joining {
+  address?: string | null;
+  code?: string | null;
+  certificate_sha256?: string | null;
 }
 
 export interface Task {
