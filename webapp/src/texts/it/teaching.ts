@@ -58,7 +58,7 @@ export const teaching: Texts["teaching"] = {
     title: "Immagine",
     explain: "Un'immagine aiuta a trovare il compito senza leggere.",
     take: "Scatta una foto",
-    choose: "Scegli un'immagine",
+    choose: "Scegli una foto",
     remove: "Togli l'immagine",
     removing: "Rimozione…",
     preparing: "Preparazione dell'immagine…",
