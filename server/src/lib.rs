@@ -12,6 +12,7 @@ pub mod cli;
 pub mod clock;
 pub mod config;
 mod control;
+mod dragging;
 mod events;
 mod flight;
 mod http;

@@ -5,6 +5,7 @@ mod api;
 mod cli;
 mod crash;
 mod doctor;
+mod dragging;
 mod flight;
 mod hold;
 mod in_process;

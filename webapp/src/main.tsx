@@ -7,6 +7,7 @@ import "./styles/controls.css";
 import "./styles/content.css";
 import "./styles/plots.css";
 import "./styles/flight.css";
+import "./styles/arm3d.css";
 import "./styles/feedback.css";
 import "./styles/dashboard.css";
 import "./styles/teaching.css";

@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 use crate::agreement::AgreementError;
 use crate::arms::UnknownRobot;
 use crate::control::ControlError;
+use crate::dragging::DragError;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
 use crate::reproducing::ReproducingError;
@@ -121,6 +122,11 @@ impl ApiError {
     pub fn advise(mut self, advice: impl Into<Cow<'static, str>>) -> Self {
         self.advice = Some(advice.into());
         self
+    }
+
+    /// What is said of it outside HTTP: code, detail and advice.
+    pub fn words(self) -> (Cow<'static, str>, String, Cow<'static, str>) {
+        (self.code, self.detail, self.advice.unwrap_or_default())
     }
 
     /// Adds when to try again.
@@ -247,6 +253,22 @@ impl From<ControlError> for ApiError {
             ControlError::Controlled { .. } | ControlError::NotYours => StatusCode::CONFLICT,
         };
         Self::new(status, error.code(), sentence(&error)).advise(error.advice())
+    }
+}
+
+impl From<DragError> for ApiError {
+    fn from(error: DragError) -> Self {
+        let (code, advice) = match error {
+            DragError::Robot(error) => return error.into(),
+            DragError::Control(error) => return error.into(),
+            DragError::RealArm => ("drag_real_arm", "Guide the arm by hand."),
+            DragError::HandBusy => (
+                "drag_hand_busy",
+                "Wait until it has finished, or press Stop.",
+            ),
+            DragError::Taken => ("drag_taken", "Wait until they let go."),
+        };
+        Self::conflict(code, sentence(&error)).advise(advice)
     }
 }
 

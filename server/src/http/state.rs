@@ -6,6 +6,7 @@ use crate::agreement::Agreements;
 use crate::arms::{Arm, Arms, StartedRobot};
 use crate::clock::SharedClock;
 use crate::control::Control;
+use crate::dragging::DragSeat;
 use crate::events::Events;
 use crate::jobs::Queue;
 use crate::pairing::Gatekeeper;
@@ -70,6 +71,7 @@ impl AppState {
                 continuous_run,
                 robot,
                 control: Control::default(),
+                drag: DragSeat::default(),
                 recorder,
                 reproducer,
             }

@@ -379,7 +379,7 @@ export interface RobotView {
   /** The link on which the arm is controlled. */
   egm: { connected: boolean; cycles: number; lost: number; late: number; real_time: boolean };
   lead_through?: boolean | null;
-  hand?: "idle" | "returning" | "showing" | null;
+  hand?: "idle" | "returning" | "showing" | "leading" | null;
   fault?: Failure | null;
   run?: {
     phase: "approach" | "motion" | "paused" | "settling" | "stopping";
@@ -420,4 +420,15 @@ export type LiveMessage =
   | { type: "demonstration"; demonstration: Demonstration }
   | { type: "job"; job: Job }
   | { type: "model"; model: Model }
-  | { type: "reproduction"; reproduction: Reproduction };
+  | { type: "reproduction"; reproduction: Reproduction }
+  /** Once for each drag that cannot begin or go on. */
+  | ({ type: "drag_refused" } & DragRefused);
+
+/** Why the virtual arm does not go where a finger wants it. */
+export type DragRefused = { code: string; detail: string; advice: string };
+
+/** What drags the soft virtual arm on the live socket: where the centre of the tool flange shall be
+ *  in the base frame, turned about its own axes from how it was when the drag began. */
+export type DragMessage =
+  | { type: "drag"; tool_mm: [number, number, number]; turn_deg?: [number, number, number] }
+  | { type: "drag_end" };

@@ -1,5 +1,6 @@
 // Making the arm soft without recording, to bring it back by hand.
 import { useComputed } from "@preact/signals";
+import { LiveArm } from "../arm3d/live-arm";
 import { returnVirtualHand, setLeadThrough } from "../api/endpoints";
 import { newSeed } from "../api/ids";
 import { handScript } from "../state/hand-script";
@@ -19,7 +20,8 @@ export function SoftArm() {
     await setLeadThrough(robotId.peek(), !soft);
   });
   const bringBack = useAction(async () => {
-    await returnVirtualHand(robotId.peek(), handScript.peek(), newSeed());
+    const script = handScript();
+    if (script) await returnVirtualHand(robotId.peek(), script, newSeed());
   });
   const busy = soft ? t.robot.soft.turningOff : t.robot.soft.turningOn;
   return (
@@ -35,7 +37,8 @@ export function SoftArm() {
       <Button icon="hand" why={why.value} busy={toggle.busy && busy} onPress={toggle.start}>
         {soft ? t.robot.soft.off : t.robot.soft.on}
       </Button>
-      {soft && isVirtual.value && (
+      {soft && <LiveArm />}
+      {soft && isVirtual.value && handScript() !== null && (
         <Button
           icon="again"
           busy={(bringBack.busy || handBusy.value) && t.robot.soft.handMoving}

@@ -28,7 +28,7 @@ export function TaskPicture({ task }: { task: Task }) {
     );
   }
   return (
-    // The letters are drawn by the style: a picture, and nothing to read out or to say to a phone.
+    // The letters are drawn by the style sheet: a picture, not words that a row would have to say.
     <span
       class="task-picture"
       style={{ background: colourOf(task.id) }}

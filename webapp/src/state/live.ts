@@ -6,6 +6,7 @@ import type { ConnectionState } from "../live/connection";
 import { JointRing } from "../live/ring-buffer";
 import { LiveSocket } from "../live/socket";
 import { inOurWords } from "../words";
+import { ArmDrag, dragRefused } from "./arm-drag";
 import { demonstrations, jobs, models, reproductions } from "./entities";
 import { phoneId, phoneName } from "./phone";
 import { robotId } from "./robots";
@@ -64,6 +65,11 @@ export async function stop(): Promise<void> {
   await (id === "" ? stopAllRobots() : stopRobot(id));
 }
 
+/** Leads the virtual arm by its tool. */
+export const armDrag = new ArmDrag(
+  (message) => connection.peek() === "live" && (socket?.send(message) ?? false),
+);
+
 /** Says that the button is held at this moment; to be said again before 180 ms are over. Whether
  *  it could be said. */
 export function hold(reproduction: string): boolean {
@@ -99,6 +105,10 @@ function receive(message: LiveMessage): void {
       break;
     case "reproduction":
       reproductions.put(message.reproduction);
+      break;
+    case "drag_refused":
+      dragRefused.value = message;
+      armDrag.end();
       break;
   }
 }

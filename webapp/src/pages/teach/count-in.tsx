@@ -2,8 +2,10 @@
 // bring it back first.
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { LiveArm } from "../../arm3d/live-arm";
 import { Button } from "../../components/button";
 import { Page } from "../../components/page";
+import { isVirtual } from "../../state/live";
 import { t } from "../../texts";
 
 export interface Counter {
@@ -65,7 +67,7 @@ interface BringBackProps {
   onNow: () => void;
 }
 
-/** Before another take of a real arm: it is soft already. */
+/** Before another take that a person leads: the arm is soft already. */
 export function BringBack({ count, onCancel, onMore, onNow }: BringBackProps) {
   return (
     <Page
@@ -93,6 +95,7 @@ export function BringBack({ count, onCancel, onMore, onNow }: BringBackProps) {
           <p class="count">{count}</p>
         </div>
       </div>
+      {isVirtual.value && <LiveArm />}
     </Page>
   );
 }

@@ -3,14 +3,13 @@ import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { setLeadThrough, startDemonstration, type NewDemonstration } from "../../api/endpoints";
 import { newId, newSeed } from "../../api/ids";
-import type { HandScript } from "../../api/types";
 import { Button } from "../../components/button";
 import { Choice } from "../../components/choice";
 import { ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { SoftArm } from "../../components/soft-arm";
 import { demonstrations } from "../../state/entities";
-import { handScript } from "../../state/hand-script";
+import { handScript, leader, type Leader } from "../../state/hand-script";
 import { useAction } from "../../state/hooks";
 import { connection, isVirtual, robot, robotState } from "../../state/live";
 import { go } from "../../state/navigation";
@@ -21,10 +20,12 @@ import { t } from "../../texts";
 import { BringBack, CountIn, useCountIn } from "./count-in";
 
 const COUNT_FROM = 3;
-/** Seconds to bring a real arm back, and how many more a press gives. */
+/** Seconds to bring an arm back by hand, and by a finger in its picture; and how many more a press
+ *  gives. */
 const BRING_BACK_FROM = 10;
+const DRAG_BACK_FROM = 20;
 const MORE = 10;
-const SCRIPTS: readonly HandScript[] = ["f1", "f2", "f3"];
+const LEADERS: readonly Leader[] = ["self", "f1", "f2", "f3"];
 
 export function RecordPage({ task }: { task: string }) {
   // One id for all trials of one recording: pressing again on bad Wi-Fi begins it once.
@@ -37,7 +38,8 @@ export function RecordPage({ task }: { task: string }) {
     softened.current = false;
     if (!taken && robotState.peek() === "guiding") await setLeadThrough(robotId.peek(), false);
     const body: NewDemonstration = { id, robot: robotId.peek() };
-    if (isVirtual.peek()) Object.assign(body, { virtual_hand: handScript.peek(), seed: newSeed() });
+    const script = isVirtual.peek() ? handScript() : null;
+    if (script) Object.assign(body, { virtual_hand: script, seed: newSeed() });
     const take = await startDemonstration(task, body);
     demonstrations.put(take);
     go({ page: "take", task, take: take.id }, true);
@@ -50,11 +52,14 @@ export function RecordPage({ task }: { task: string }) {
   };
   useEffect(() => cancel, []);
   const next = useNextTake(task, async () => {
-    if (!isVirtual.peek()) {
+    // The virtual hand brings the arm back by itself.
+    const byScript = isVirtual.peek() && handScript() !== null;
+    if (!byScript) {
       await setLeadThrough(robotId.peek(), true);
       softened.current = true;
     }
-    counter.start(isVirtual.peek() ? COUNT_FROM : BRING_BACK_FROM);
+    const bringBack = isVirtual.peek() ? DRAG_BACK_FROM : BRING_BACK_FROM;
+    counter.start(byScript ? COUNT_FROM : bringBack);
   });
 
   if (counter.left !== null && softened.current)
@@ -80,16 +85,19 @@ export function RecordPage({ task }: { task: string }) {
     >
       {problem && <ProblemNotice problem={problem} />}
       <ol class="steps">
-        {(isVirtual.value ? t.teach.stepsVirtual : t.teach.steps).map((step) => (
+        {steps().map((step) => (
           <li key={step}>{step}</li>
         ))}
       </ol>
       {isVirtual.value && (
         <Choice
-          legend={t.teach.hand}
-          options={SCRIPTS.map((script) => ({ value: script, ...t.teach.hands[script] }))}
-          value={handScript.value}
-          onChoose={(script) => (handScript.value = script)}
+          legend={t.arm3d.lead.who}
+          options={LEADERS.map((value) => ({
+            value,
+            ...(value === "self" ? t.arm3d.lead : t.teach.hands[value]),
+          }))}
+          value={leader.value}
+          onChoose={(chosen) => (leader.value = chosen)}
         />
       )}
       <SoftArm />
@@ -133,6 +141,11 @@ function Waiting({ busy, onCancel }: { busy: boolean; onCancel: () => void }) {
       {why.value !== null && <p class="why">{why.value}</p>}
     </Page>
   );
+}
+
+function steps(): readonly string[] {
+  if (!isVirtual.value) return t.teach.steps;
+  return handScript() === null ? t.arm3d.lead.steps : t.teach.stepsVirtual;
 }
 
 function RecordButton({ busy, onPress }: { busy: boolean; onPress: () => void }) {

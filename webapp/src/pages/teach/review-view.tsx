@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { getWholeTrajectory } from "../../api/endpoints";
 import type { Demonstration, SignalMark, Trajectory, Trim } from "../../api/types";
+import { TakePicture } from "../../arm3d/take-picture";
 import { Figures } from "../../components/figures";
 import { LoadNotice, Notice } from "../../components/notice";
 import { SignalTimes } from "../../components/signal-times";
@@ -22,6 +23,7 @@ export function ReviewView({ take, compared }: { take: Demonstration; compared: 
   }, take.id);
   /** What is used of the take, or would be once it is saved. */
   const span = useSignal<Trim>(usedOf(take));
+  const time = useSignal(0);
   const shown = trajectory.value;
   const layers = useMemo<Layer[]>(
     () => (shown ? [{ label: t.plot.degrees, joints: shown.joints_deg, look: "strong" }] : []),
@@ -30,6 +32,7 @@ export function ReviewView({ take, compared }: { take: Demonstration; compared: 
   return (
     <>
       <StateNotice take={take} />
+      {shown && shown.t_s.length > 1 && <TakePicture take={shown} time={time} />}
       {counts(take) && <TakesAdvice compared={compared} />}
       {take.problem && (
         <Notice tone="bad" icon="alert">
@@ -51,6 +54,7 @@ export function ReviewView({ take, compared }: { take: Demonstration; compared: 
             layers={layers}
             cut={span}
             signalsS={shown.signals.filter(isChange).map((signal) => signal.at_s)}
+            cursor={time}
           />
           <SignalTimes title={t.signals.recorded} marks={shown.signals.filter(isChange)} />
         </>

@@ -1,6 +1,7 @@
 // Every German word the app shows, grouped by screen, with the formal Sie. The ß stands as in
 // Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -15,6 +16,7 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const de: Texts = {
+  arm3d,
   control,
   dashboard,
   feedback,

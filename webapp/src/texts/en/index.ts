@@ -1,4 +1,5 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -13,6 +14,7 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const en = {
+  arm3d,
   control,
   dashboard,
   feedback,

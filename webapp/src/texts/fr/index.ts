@@ -1,6 +1,7 @@
 // Every French word the app shows, grouped by screen, with the formal vous. The spaces before : ; ? !
 // are plain here; typography.ts makes them such that no line ends there.
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -15,6 +16,7 @@ import { teach } from "./teach";
 import { teaching } from "./teaching";
 
 export const fr: Texts = {
+  arm3d,
   control,
   dashboard,
   feedback,

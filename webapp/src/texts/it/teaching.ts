@@ -1,5 +1,4 @@
-// Parole italiane per insegnare in una volta sola: esempio successivo, pausa, taglio, immagini,
-// annullamento, giudizio.
+// Italian words of teaching in one go: the next take, pause, cutting, pictures, undo, the verdict.
 import type { Texts } from "..";
 
 export const teaching: Texts["teaching"] = {
