@@ -13,6 +13,8 @@ export default defineConfig({
     target: "es2022",
     // No data: addresses: the Content-Security-Policy stays simple and every file can be cached.
     assetsInlineLimit: 0,
+    // The drawing of the arm is fetched only where one is shown (docs/adr/0028).
+    chunkSizeWarningLimit: 600,
   },
   server: {
     proxy: { "/api": { target: "http://127.0.0.1:8080", ws: true } },

@@ -6,8 +6,8 @@ import { build, type Plugin, type ResolvedConfig, type Rolldown } from "vite";
 import type { Build } from "./src/worker/shell";
 
 const WORKER = "src/worker/worker.ts";
-/** The words of one language; each is loaded by itself. */
-const LANGUAGE = /\/src\/texts\/([a-z]+)\/index\.ts$/;
+/** The words of one language, the app's own and the server's; each is loaded by itself. */
+const LANGUAGE = /\/src\/(?:texts|words)\/([a-z]{2})\/index\.ts$/;
 
 export function serviceWorker(): Plugin {
   let config: ResolvedConfig;
@@ -53,7 +53,8 @@ function describe(bundle: Rolldown.OutputBundle, hash: ReturnType<typeof createH
     if (language === undefined) continue;
     const files = new Set<string>();
     addFiles(bundle, chunk, files);
-    languages[language] = [...files].filter((file) => !shell.has(file));
+    const own = [...files].filter((file) => !shell.has(file));
+    languages[language] = [...(languages[language] ?? []), ...own];
   }
   // Every name in assets/ holds a hash of the file, so the names stand for the whole build.
   for (const name of Object.keys(bundle).sort()) hash.update(name);

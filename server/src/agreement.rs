@@ -14,6 +14,7 @@ use crate::store::samples::Sample;
 use crate::store::signals::SignalEvent;
 use crate::store::text::Failure;
 use crate::store::{self, Store};
+use crate::trimming::recording;
 use crate::uninterrupted::uninterrupted;
 use crate::words::sentence;
 
@@ -96,7 +97,8 @@ pub enum AgreementError {
     Broke(#[from] tokio::task::JoinError),
 }
 
-/// How well a task's takes agree. What was compared once is remembered: recordings never change.
+/// How well a task's takes agree. What was compared once is remembered: recordings never change,
+/// only the stretches of them that are used.
 ///
 /// # Errors
 /// When the task is not there or its recordings can't be read.
@@ -113,7 +115,7 @@ pub async fn of_task(
             DemonstrationState::Recorded | DemonstrationState::Kept
         )
     });
-    let answer = known.about(takes.iter().map(|take| take.id).collect());
+    let answer = known.about(takes.iter().map(|take| (take.id, take.trim)).collect());
     if let Some(agreement) = answer.get() {
         return Ok(agreement.clone());
     }
@@ -130,15 +132,15 @@ async fn compare(
     store: &Store,
     takes: Vec<Demonstration>,
 ) -> Result<TaskAgreement, AgreementError> {
-    let longest_s = takes.iter().map(|take| take.duration_s).fold(0.0, f64::max);
+    let longest_s = takes.iter().map(Demonstration::used_s).fold(0.0, f64::max);
     let warpings = learning::alignment::barycentre::steps(takes.len().max(1));
     if warpings as f64 * longest_s * longest_s > MOST_WORK_S2 {
         return Ok(TaskAgreement::of_too_long(&takes));
     }
     let mut recordings = Vec::with_capacity(takes.len());
     for take in takes {
-        let (samples, signals) = (store.samples(take.id).await?, store.signals(take.id).await?);
-        recordings.push((take, samples, signals));
+        let recorded = recording(store, take.id, take.trim).await?;
+        recordings.push((take, recorded.samples, recorded.signals));
     }
     Ok(tokio::task::spawn_blocking(move || judge(&recordings)).await?)
 }

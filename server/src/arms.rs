@@ -7,6 +7,7 @@ use motion::limits::RobotLimits;
 use robot::Robot;
 
 use crate::control::Control;
+use crate::dragging::DragSeat;
 use crate::recording::Recorder;
 use crate::reproducing::Reproducer;
 
@@ -38,6 +39,8 @@ pub struct Arm {
     pub robot: Robot,
     /// Which phone may make it move.
     pub control: Control,
+    /// Who drags it on a screen.
+    pub drag: DragSeat,
     /// Begins and ends recordings from it.
     pub recorder: Recorder,
     /// Has it make motions.

@@ -5,8 +5,9 @@ use crate::ids::{DemonstrationId, ModelId, TaskId};
 use crate::jobs::{Queue, TrainingRequest, demonstration_with};
 use crate::store::demonstrations::{Demonstration, DemonstrationState};
 use crate::store::jobs::Job;
-use crate::store::models::{Model, ModelState};
+use crate::store::models::{Model, ModelState, Source};
 use crate::store::{self, Store};
+use crate::trimming::recording;
 
 /// The seed when nobody chooses one.
 const SEED: u64 = 1;
@@ -98,9 +99,12 @@ pub async fn begin(
     learning::signals::check_same(&checked).map_err(TrainingError::Together)?;
     let request = TrainingRequest {
         task_id: wish.task_id,
-        demonstrations: chosen
+        sources: chosen
             .iter()
-            .map(|demonstration| demonstration.id)
+            .map(|demonstration| Source {
+                id: demonstration.id,
+                trim: demonstration.trim,
+            })
             .collect(),
         method: method.name().to_owned(),
         seed: wish.seed.unwrap_or(SEED),
@@ -143,16 +147,17 @@ async fn check(
     ) {
         return Err(TrainingError::StillOpen { take });
     }
-    let samples = store.samples(demonstration.id).await?;
-    let signals = store.signals(demonstration.id).await?;
+    let recorded = recording(store, demonstration.id, demonstration.trim).await?;
     let name = format!("take {take}");
-    tokio::task::spawn_blocking(move || demonstration_with(&name, &samples, &signals))
-        .await?
-        .map_err(|error| TrainingError::Unusable {
-            id: demonstration.id,
-            take,
-            error,
-        })
+    tokio::task::spawn_blocking(move || {
+        demonstration_with(&name, &recorded.samples, &recorded.signals)
+    })
+    .await?
+    .map_err(|error| TrainingError::Unusable {
+        id: demonstration.id,
+        take,
+        error,
+    })
 }
 
 /// A trained model, ready to be computed with.

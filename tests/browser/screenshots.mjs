@@ -56,15 +56,10 @@ async function languages() {
 
 async function shoot(browser, world, language) {
   const { drawn, newPhone, SIZES } = await import("./support/phone.mjs");
-  const { enter, statesOf } = await import("./support/states.mjs");
-  const { openStages } = await import("./support/stage.mjs");
+  const { enter, readyForStates, statesOf } = await import("./support/states.mjs");
   const phone = await newPhone(browser, { viewport: SIZES[values.size] });
-  await phone.context.addInitScript(
-    (code) => localStorage.setItem("team.language", code),
-    language,
-  );
   phone.context.setDefaultTimeout(15_000);
-  const setStage = await openStages(phone.context);
+  const setStage = await readyForStates(phone.context, language);
   const only = values.only?.split(",");
   const missed = [];
   for (const state of statesOf(world).filter(({ name }) => only?.includes(name) ?? true)) {

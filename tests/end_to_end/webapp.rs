@@ -98,12 +98,16 @@ async fn the_pages_do_the_main_job_on_a_phone() {
     idle_arm(&server.client()).await;
     let (arm, phones, arms) = (server.client(), network.client(), cell.client());
     let code = pairing_code(&network).await;
+    // What the app costs a phone, for whoever reads the output of all tests.
+    let costs = Path::new(SCRATCH).join("budgets.txt");
+    std::fs::write(&costs, "").expect("the scratch folder can be written");
     let (secured, secured_code) = (https.client(), pairing_code(&https).await);
     let environment = [
         ("BASE_URL", arm.base()),
         ("PAIRING_URL", phones.base()),
         ("PAIRING_CODE", &code),
         ("CELL_URL", arms.base()),
+        ("BUDGETS", costs.to_str().expect("a plain path")),
         ("HTTPS_URL", secured.base()),
         ("HTTPS_CODE", &secured_code),
     ];

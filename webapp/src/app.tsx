@@ -130,12 +130,12 @@ function Screen({ route }: { route: Route }) {
       return <ModelPage key={route.model} task={route.task} model={route.model} />;
     case "robots":
       return <RobotsPage key="robots" />;
-    case "join":
-      return <JoinPage key="join" />;
     case "dashboard":
       return <DashboardPage key="dashboard" />;
     case "language":
       return <LanguagePage key="language" />;
+    case "join":
+      return <JoinPage key="join" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

@@ -9,9 +9,9 @@ export type Route =
   | { page: "take"; task: string; take: string }
   | { page: "model"; task: string; model: string }
   | { page: "robots" }
-  | { page: "join" }
   | { page: "dashboard" }
   | { page: "language" }
+  | { page: "join" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
@@ -37,9 +37,9 @@ export function parse(hash: string): Route {
     if (place === "models" && id !== undefined) return { page: "model", task, model: id };
   }
   if (section === "robots" && task === undefined) return { page: "robots" };
-  if (section === "join") return { page: "join" };
   if (section === "dashboard" && task === undefined) return { page: "dashboard" };
   if (section === "language" && task === undefined) return { page: "language" };
+  if (section === "join") return { page: "join" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
@@ -69,12 +69,12 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return `#/teach/${encodeURIComponent(route.task)}/models/${encodeURIComponent(route.model)}`;
     case "robots":
       return "#/robots";
-    case "join":
-      return "#/join";
     case "dashboard":
       return "#/dashboard";
     case "language":
       return "#/language";
+    case "join":
+      return "#/join";
     case "run":
       return "#/run";
     case "setup":

@@ -13,13 +13,14 @@ use super::auth::Actor;
 use super::control::OnPhone;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path, Query};
-use super::signals::SignalMark;
 use super::state::AppState;
 use super::trajectories::{MaxPoints, Trajectory, trajectory_of};
 use crate::ids::{DemonstrationId, TaskId};
 use crate::jobs::demonstration_with;
 use crate::recording::{HandShowing, RecordingRequest};
 use crate::store::demonstrations::{Decision, Demonstration};
+use crate::store::trims::Trim;
+use crate::trimming::recording;
 use crate::uploads;
 
 /// A recording to be begun.
@@ -43,6 +44,20 @@ pub struct NewRecording {
 pub struct UploadName {
     /// The file's name; it helps a person to find the file again.
     name: Option<String>,
+}
+
+/// Whether everything is wanted that was recorded.
+#[derive(Debug, Deserialize, IntoParams)]
+pub struct Whole {
+    /// Also what was cut away at the ends.
+    #[serde(default)]
+    raw: bool,
+}
+
+impl Whole {
+    fn trim_of(&self, demonstration: &Demonstration) -> Option<Trim> {
+        demonstration.trim.filter(|_| !self.raw)
+    }
 }
 
 /// A task's demonstrations, by take.
@@ -128,7 +143,7 @@ pub async fn show(
 }
 
 /// What was recorded, thinned out for a plot.
-#[utoipa::path(get, path = "/demonstrations/{id}/trajectory", tag = "demonstrations", params(("id" = DemonstrationId, Path), MaxPoints), responses(
+#[utoipa::path(get, path = "/demonstrations/{id}/trajectory", tag = "demonstrations", params(("id" = DemonstrationId, Path), MaxPoints, Whole), responses(
     (status = 200, body = Trajectory),
     (status = 404, body = Problem, content_type = "application/problem+json"),
 ))]
@@ -136,16 +151,15 @@ pub async fn trajectory(
     State(state): State<AppState>,
     Path(id): Path<DemonstrationId>,
     Query(max): Query<MaxPoints>,
+    Query(whole): Query<Whole>,
 ) -> Result<Json<Trajectory>, ApiError> {
-    state.store.demonstration(id).await?;
-    let (samples, gaps) = (state.store.samples(id).await?, state.store.gaps(id).await?);
-    let signals = SignalMark::all(state.store.signals(id).await?);
-    let trajectory = trajectory_of(&samples, &gaps, max.points(300)?);
-    Ok(Json(trajectory.with_signals(signals)))
+    let demonstration = state.store.demonstration(id).await?;
+    let recorded = recording(&state.store, id, whole.trim_of(&demonstration)).await?;
+    Ok(Json(trajectory_of(recorded, max.points(300)?)))
 }
 
 /// What was recorded, at its full rate, as a file that can be uploaded again.
-#[utoipa::path(get, path = "/demonstrations/{id}/download", tag = "demonstrations", params(("id" = DemonstrationId, Path)), responses(
+#[utoipa::path(get, path = "/demonstrations/{id}/download", tag = "demonstrations", params(("id" = DemonstrationId, Path), Whole), responses(
     (status = 200, body = String, content_type = "application/json"),
     (status = 404, body = Problem, content_type = "application/problem+json"),
     (status = 422, description = "It is too short or has no motion", body = Problem, content_type = "application/problem+json"),
@@ -153,13 +167,14 @@ pub async fn trajectory(
 pub async fn download(
     State(state): State<AppState>,
     Path(id): Path<DemonstrationId>,
+    Query(whole): Query<Whole>,
 ) -> Result<Response, ApiError> {
     let demonstration = state.store.demonstration(id).await?;
-    let samples = state.store.samples(id).await?;
-    let signals = state.store.signals(id).await?;
+    let recorded = recording(&state.store, id, whole.trim_of(&demonstration)).await?;
     let name = format!("take {}", demonstration.take);
     let text = tokio::task::spawn_blocking(move || {
-        demonstration_with(&name, &samples, &signals).map(|d| learning::write::to_json(&d))
+        demonstration_with(&name, &recorded.samples, &recorded.signals)
+            .map(|d| learning::write::to_json(&d))
     })
     .await
     .map_err(|error| ApiError::internal(&error))??;
@@ -216,6 +231,20 @@ pub async fn discard(
     decide(&state, &actor, id, Decision::Discard).await
 }
 
+/// Takes such a decision back: the take waits for one again.
+#[utoipa::path(post, path = "/demonstrations/{id}/undecide", tag = "demonstrations", params(("id" = DemonstrationId, Path)), responses(
+    (status = 200, body = Demonstration),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
+    (status = 409, body = Problem, content_type = "application/problem+json"),
+))]
+pub async fn undecide(
+    State(state): State<AppState>,
+    Actor(actor): Actor,
+    Path(id): Path<DemonstrationId>,
+) -> Result<Json<Demonstration>, ApiError> {
+    decide(&state, &actor, id, Decision::Reconsider).await
+}
+
 async fn decide(
     state: &AppState,
     actor: &str,
@@ -227,6 +256,7 @@ async fn decide(
     let action = match decision {
         Decision::Keep => "kept a demonstration",
         Decision::Discard => "discarded a demonstration",
+        Decision::Reconsider => "took a decision about a demonstration back",
     };
     state.audit(actor, action, id).await;
     Ok(Json(demonstration))

@@ -1,5 +1,6 @@
 //! The one place where errors become HTTP answers: RFC 9457 problem documents.
 
+mod teaching;
 mod workers;
 
 use std::borrow::Cow;
@@ -15,9 +16,9 @@ use serde_json::{Value, json};
 use crate::agreement::AgreementError;
 use crate::arms::UnknownRobot;
 use crate::control::ControlError;
+use crate::dragging::DragError;
 use crate::flight::ExportError;
 use crate::planning::PlanError;
-use crate::recording::RecordingError;
 use crate::reproducing::ReproducingError;
 use crate::store;
 use crate::training::TrainingError;
@@ -121,6 +122,11 @@ impl ApiError {
     pub fn advise(mut self, advice: impl Into<Cow<'static, str>>) -> Self {
         self.advice = Some(advice.into());
         self
+    }
+
+    /// What is said of it outside HTTP: code, detail and advice.
+    pub fn words(self) -> (Cow<'static, str>, String, Cow<'static, str>) {
+        (self.code, self.detail, self.advice.unwrap_or_default())
     }
 
     /// Adds when to try again.
@@ -250,25 +256,19 @@ impl From<ControlError> for ApiError {
     }
 }
 
-impl From<RecordingError> for ApiError {
-    fn from(error: RecordingError) -> Self {
-        match error {
-            RecordingError::Robot(error) => error.into(),
-            RecordingError::Store(error) => error.into(),
-            RecordingError::Busy => {
-                Self::conflict("robot_busy", sentence(&error)).advise("Stop that recording first.")
-            }
-            RecordingError::NoVirtualHand => {
-                Self::conflict("no_virtual_hand", sentence(&error)).advise("Guide the arm by hand.")
-            }
-            RecordingError::NotOpen => Self::conflict("wrong_state", sentence(&error)),
-            RecordingError::Closing => Self::new(
-                StatusCode::SERVICE_UNAVAILABLE,
-                "shutting_down",
-                sentence(&error),
-            )
-            .retry_after(5),
-        }
+impl From<DragError> for ApiError {
+    fn from(error: DragError) -> Self {
+        let (code, advice) = match error {
+            DragError::Robot(error) => return error.into(),
+            DragError::Control(error) => return error.into(),
+            DragError::RealArm => ("drag_real_arm", "Guide the arm by hand."),
+            DragError::HandBusy => (
+                "drag_hand_busy",
+                "Wait until it has finished, or press Stop.",
+            ),
+            DragError::Taken => ("drag_taken", "Wait until they let go."),
+        };
+        Self::conflict(code, sentence(&error)).advise(advice)
     }
 }
 

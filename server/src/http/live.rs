@@ -1,6 +1,7 @@
 //! The live socket: the whole picture first, then every change, and one robot about 20 times a
 //! second. A client may stop that robot through it.
 
+use std::borrow::Cow;
 use std::time::Duration;
 
 use axum::extract::State;
@@ -9,8 +10,10 @@ use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::response::Response;
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt, StreamExt};
+use motion::drag::Target;
 use serde::{Deserialize, Serialize};
 use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::mpsc;
 use tokio::time::{MissedTickBehavior, interval};
 use utoipa::IntoParams;
 
@@ -22,6 +25,7 @@ use super::robot::RobotAnswer;
 use super::state::AppState;
 use crate::arms::Arm;
 use crate::control::Phone;
+use crate::dragging::{DragError, Drags};
 use crate::events::Event;
 use crate::ids::ReproductionId;
 use crate::store;
@@ -54,6 +58,15 @@ struct RobotNow {
     robot: RobotAnswer,
 }
 
+/// The arm cannot be dragged, or no longer.
+#[derive(Serialize)]
+#[serde(tag = "type", rename = "drag_refused")]
+struct DragRefused {
+    code: Cow<'static, str>,
+    detail: String,
+    advice: Cow<'static, str>,
+}
+
 /// Which robot a client watches.
 #[derive(Deserialize, IntoParams)]
 pub struct Watched {
@@ -70,8 +83,16 @@ pub struct Watched {
 #[serde(tag = "type", rename_all = "snake_case")]
 enum Command {
     Stop,
-    Hold { reproduction: ReproductionId },
+    Hold {
+        reproduction: ReproductionId,
+    },
     LetGo,
+    Drag {
+        tool_mm: [f64; 3],
+        #[serde(default)]
+        turn_deg: [f64; 3],
+    },
+    DragEnd,
 }
 
 /// Who is at the other end of a socket.
@@ -87,6 +108,12 @@ struct Client {
 /// A motion that was started with "hold" moves only while {"type": "hold", "reproduction": …} comes
 /// at least every 180 ms (send it every 50 ms); {"type": "let_go"}, silence and a lost socket bring
 /// the arm to a standstill on its path, from where it goes on when it is held again.
+///
+/// While a virtual arm is soft, {"type": "drag", "tool_mm": [x, y, z]} pulls the centre of its tool
+/// flange there (base frame) with the orientation that it had when the drag began; "turn_deg" turns
+/// it from there about the flange's own axes. Repeat it up to 60 times a second: after 300 ms
+/// without, the arm comes to rest. {"type": "drag_end"} ends the drag. An attempt that cannot begin
+/// or go on is answered by one {"type": "drag_refused", "code", "detail", "advice"}.
 #[utoipa::path(get, path = "/live", tag = "robots", params(Watched), responses(
     (status = 101, description = "The socket is open"),
     (status = 404, description = "There is no such robot", body = Problem, content_type = "application/problem+json"),
@@ -117,9 +144,10 @@ async fn serve(state: AppState, robot: String, client: Client, socket: WebSocket
     let _watching = client.phone.as_ref().map(|phone| arm.control.watch(phone));
     let (sender, receiver) = socket.split();
     let mut holds = Holds { arm, held: false };
+    let (mut drags, refusals) = Drags::of(arm);
     tokio::select! {
-        () = receive(&state, arm, &client, &mut holds, receiver) => {}
-        result = send(&state, arm, sender) => {
+        () = receive(&state, arm, &client, &mut holds, &mut drags, receiver) => {}
+        result = send(&state, arm, refusals, sender) => {
             if let Err(error) = result {
                 tracing::debug!(%error, "a live socket ended");
             }
@@ -163,6 +191,7 @@ async fn receive(
     arm: &Arm,
     client: &Client,
     holds: &mut Holds<'_>,
+    drags: &mut Drags<'_>,
     mut receiver: SplitStream<WebSocket>,
 ) {
     while let Some(Ok(message)) = receiver.next().await {
@@ -174,6 +203,11 @@ async fn receive(
                 }
                 Ok(Command::Hold { reproduction }) => holds.hold(client, reproduction),
                 Ok(Command::LetGo) => holds.let_go(),
+                Ok(Command::Drag { tool_mm, turn_deg }) => {
+                    let target = Target { tool_mm, turn_deg };
+                    drags.aim(target, || arm.claim(client.phone.as_ref()));
+                }
+                Ok(Command::DragEnd) => drags.end(),
                 Err(_) => {}
             },
             Message::Close(_) => return,
@@ -196,7 +230,12 @@ enum SendError {
     RobotGone,
 }
 
-async fn send(state: &AppState, arm: &Arm, mut sender: Sender) -> Result<(), SendError> {
+async fn send(
+    state: &AppState,
+    arm: &Arm,
+    mut refusals: mpsc::Receiver<DragError>,
+    mut sender: Sender,
+) -> Result<(), SendError> {
     let mut events = state.events.listen();
     let mut robot = arm.robot.view();
     send_json(&mut sender, &snapshot(state, arm).await?).await?;
@@ -213,6 +252,10 @@ async fn send(state: &AppState, arm: &Arm, mut sender: Sender) -> Result<(), Sen
                 }
                 Err(RecvError::Closed) => return Ok(()),
             },
+            Some(refusal) = refusals.recv() => {
+                let (code, detail, advice) = ApiError::from(refusal).words();
+                send_json(&mut sender, &DragRefused { code, detail, advice }).await?;
+            }
             _ = tick.tick() => {
                 quiet += 1;
                 if robot.has_changed().map_err(|_| SendError::RobotGone)? || quiet >= QUIET_TICKS {

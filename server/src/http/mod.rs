@@ -19,6 +19,8 @@ mod join;
 mod live;
 mod models;
 mod outcomes;
+mod pauses;
+mod pictures;
 mod plans;
 mod positions;
 mod questionnaire;
@@ -33,6 +35,7 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod trims;
 
 pub use state::AppState;
 

@@ -43,7 +43,7 @@ pub struct RobotAnswer {
     lead_through: Option<bool>,
     /// The EGM link.
     egm: EgmAnswer,
-    /// What the virtual hand does: "idle", "returning" or "showing".
+    /// What the virtual hand does: "idle", "returning", "showing" or "leading".
     #[schema(value_type = Option<String>)]
     hand: Option<robot::HandActivity>,
     /// Why the arm stands still until somebody acknowledges it.

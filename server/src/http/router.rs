@@ -13,8 +13,8 @@ use utoipa_axum::routes;
 use super::state::AppState;
 use super::{
     agreement, assets, auth, control, dashboard, demonstrations, flights, headers, health, jobs,
-    join, live, models, outcomes, plans, positions, questionnaire, reproductions, robot,
-    run_control, session, signals, tasks,
+    join, live, models, outcomes, pauses, pictures, plans, positions, questionnaire, reproductions,
+    robot, run_control, session, signals, tasks, trims,
 };
 
 /// Requests are small; only recorded files are not.
@@ -58,13 +58,20 @@ fn api() -> OpenApiRouter<AppState> {
         .routes(routes!(join::picture))
         .routes(routes!(tasks::list, tasks::create))
         .routes(routes!(tasks::show, tasks::rename, tasks::delete))
+        .routes(routes!(tasks::restore))
+        .routes(routes!(pictures::set, pictures::show, pictures::remove))
         .routes(routes!(demonstrations::list, demonstrations::record))
         .routes(routes!(demonstrations::show))
         .routes(routes!(demonstrations::trajectory))
         .routes(routes!(demonstrations::download))
         .routes(routes!(demonstrations::stop))
+        .routes(routes!(pauses::pause))
+        .routes(routes!(pauses::resume))
         .routes(routes!(demonstrations::keep))
         .routes(routes!(demonstrations::discard))
+        .routes(routes!(demonstrations::undecide))
+        .routes(routes!(trims::set, trims::remove))
+        .routes(routes!(trims::suggest))
         .routes(routes!(agreement::show))
         .routes(routes!(models::list, models::train))
         .routes(routes!(models::show))

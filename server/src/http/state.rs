@@ -8,6 +8,7 @@ use crate::arms::{Arm, Arms, StartedRobot};
 use crate::certificates::Certificates;
 use crate::clock::SharedClock;
 use crate::control::Control;
+use crate::dragging::DragSeat;
 use crate::events::Events;
 use crate::jobs::Queue;
 use crate::pairing::Gatekeeper;
@@ -76,6 +77,7 @@ impl AppState {
                 continuous_run,
                 robot,
                 control: Control::default(),
+                drag: DragSeat::default(),
                 recorder,
                 reproducer,
             }

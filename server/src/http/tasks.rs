@@ -97,6 +97,21 @@ pub async fn delete(
     Ok(StatusCode::NO_CONTENT)
 }
 
+/// Brings a task back that was deleted, with everything that belongs to it.
+#[utoipa::path(post, path = "/tasks/{task}/restore", tag = "tasks", params(("task" = TaskId, Path)), responses(
+    (status = 200, body = Task),
+    (status = 404, body = Problem, content_type = "application/problem+json"),
+))]
+pub async fn restore(
+    State(state): State<AppState>,
+    Actor(actor): Actor,
+    Path(task): Path<TaskId>,
+) -> Result<Json<Task>, ApiError> {
+    let restored = state.store.restore_task(task).await?;
+    state.audit(&actor, "brought a task back", task).await;
+    Ok(Json(restored))
+}
+
 fn checked_name(name: &str) -> Result<&str, ApiError> {
     let name = name.trim();
     let problem = match name.chars().count() {

@@ -7,8 +7,8 @@ use utoipa::{IntoParams, ToSchema};
 use super::error::ApiError;
 use super::signals::{RunSignalMark, SignalMark};
 use crate::store::cycles::Cycle;
-use crate::store::recordings::Gap;
 use crate::store::samples::Sample;
+use crate::trimming::Recording;
 
 /// How many points a plot wants at most.
 #[derive(Debug, Deserialize, IntoParams)]
@@ -46,15 +46,19 @@ pub struct Trajectory {
     tcp_mm: Vec<Vec<f64>>,
     /// Stretches without samples.
     gaps: Vec<GapAnswer>,
+    /// Where the recording was held up.
+    pauses: Vec<PauseMark>,
     /// What was done with signals.
     signals: Vec<SignalMark>,
 }
 
-impl Trajectory {
-    /// The same with what was done with signals.
-    pub fn with_signals(self, signals: Vec<SignalMark>) -> Self {
-        Self { signals, ..self }
-    }
+/// A place where a recording was held up; its time is closed up.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct PauseMark {
+    /// Where, in seconds since the recording began.
+    at_s: f64,
+    /// How long it was, in seconds; nothing when the recording ended in it.
+    length_s: Option<f64>,
 }
 
 /// A stretch without samples.
@@ -98,7 +102,8 @@ pub struct Curve {
 }
 
 /// A demonstration's columns.
-pub fn trajectory_of(samples: &[Sample], gaps: &[Gap], max_points: usize) -> Trajectory {
+pub fn trajectory_of(recorded: Recording, max_points: usize) -> Trajectory {
+    let samples = &recorded.samples;
     let picked: Vec<&Sample> = picks(samples.len(), max_points)
         .map(|i| &samples[i])
         .collect();
@@ -112,14 +117,23 @@ pub fn trajectory_of(samples: &[Sample], gaps: &[Gap], max_points: usize) -> Tra
         t_s: picked.iter().map(|sample| seconds(sample.at_us)).collect(),
         joints_deg: columns(picked.iter().map(|sample| sample.joints_deg)),
         tcp_mm: columns(tool),
-        gaps: gaps
+        gaps: recorded
+            .gaps
             .iter()
             .map(|gap| GapAnswer {
                 at_s: seconds(gap.at_us),
                 length_s: seconds(gap.length_us),
             })
             .collect(),
-        signals: Vec::new(),
+        pauses: recorded
+            .pauses
+            .iter()
+            .map(|pause| PauseMark {
+                at_s: seconds(pause.at_us),
+                length_s: pause.length_us.map(seconds),
+            })
+            .collect(),
+        signals: SignalMark::all(recorded.signals),
     }
 }
 
@@ -187,6 +201,7 @@ pub(super) fn seconds(us: u64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::store::recordings::Gap;
     use proptest::prelude::*;
 
     proptest! {
@@ -201,7 +216,7 @@ mod tests {
 
     #[test]
     fn nothing_recorded_is_empty_columns() {
-        let empty = trajectory_of(&[], &[], 300);
+        let empty = trajectory_of(Recording::default(), 300);
         assert_eq!(
             (empty.t_s.len(), empty.joints_deg.len(), empty.tcp_mm.len()),
             (0, 6, 3)
@@ -221,7 +236,12 @@ mod tests {
             at_us: 500_000,
             length_us: 20_000,
         };
-        let answer = trajectory_of(&samples, &[gap], 10);
+        let recorded = Recording {
+            samples,
+            gaps: vec![gap],
+            ..Recording::default()
+        };
+        let answer = trajectory_of(recorded, 10);
         assert_eq!(
             answer.t_s,
             [0.0, 0.11, 0.22, 0.33, 0.44, 0.55, 0.66, 0.77, 0.88, 0.99]

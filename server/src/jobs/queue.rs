@@ -9,10 +9,10 @@ use tokio::sync::Notify;
 use super::JobContext;
 use crate::clock::SharedClock;
 use crate::events::Events;
-use crate::ids::{DemonstrationId, JobId, TaskId};
+use crate::ids::{JobId, TaskId};
 use crate::store::jobs::{Job, JobProgress, NewTraining};
 use crate::store::leases::Lease;
-use crate::store::models::{Model, TrainedModel};
+use crate::store::models::{Model, Source, TrainedModel};
 use crate::store::text::Failure;
 use crate::store::{Result, Store};
 
@@ -27,7 +27,7 @@ pub struct TrainingRequest {
     /// The task.
     pub task_id: TaskId,
     /// What to train from, by take.
-    pub demonstrations: Vec<DemonstrationId>,
+    pub sources: Vec<Source>,
     /// How to train.
     pub method: String,
     /// The seed of everything random.
@@ -45,8 +45,11 @@ impl TrainingRequest {
             self.method,
             self.seed
         ));
-        for demonstration in &self.demonstrations {
-            hash.update(format!(" {demonstration}"));
+        for Source { id, trim } in &self.sources {
+            hash.update(format!(" {id}"));
+            if let Some(trim) = trim {
+                hash.update(format!(" {}-{}", trim.begin_us(), trim.end_us()));
+            }
         }
         hex(&hash.finalize())
     }
@@ -90,7 +93,7 @@ impl Queue {
     pub async fn train(&self, request: &TrainingRequest) -> Result<(Job, Model)> {
         let new = NewTraining {
             task_id: request.task_id,
-            demonstrations: &request.demonstrations,
+            sources: &request.sources,
             method: &request.method,
             seed: request.seed,
             unique_key: &request.unique_key(),

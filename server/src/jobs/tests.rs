@@ -15,7 +15,7 @@ use crate::shutdown::Shutdown;
 use crate::store::Store;
 use crate::store::demonstrations::{DemonstrationSource, DemonstrationState, NewDemonstration};
 use crate::store::jobs::{Job, JobState};
-use crate::store::models::ModelState;
+use crate::store::models::{ModelState, Source};
 use crate::store::samples::Sample;
 use crate::test_support::TestFolder;
 
@@ -75,7 +75,10 @@ impl Bench {
     async fn ask(&self, demonstrations: Vec<DemonstrationId>) -> Job {
         let request = TrainingRequest {
             task_id: self.task,
-            demonstrations,
+            sources: demonstrations
+                .into_iter()
+                .map(|id| Source { id, trim: None })
+                .collect(),
             method: "paper".into(),
             seed: 5,
         };

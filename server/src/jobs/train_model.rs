@@ -11,6 +11,7 @@ use crate::store::samples::Sample;
 use crate::store::signals::SignalEvent;
 use crate::store::text::Failure;
 use crate::store::{self, Store};
+use crate::trimming::recording;
 
 /// Everything that a training needs, read from the store.
 pub(crate) struct Inputs {
@@ -42,10 +43,10 @@ pub(crate) async fn inputs(store: &Store, model: ModelId) -> Result<Inputs, JobE
         Err(error) => return Err(error.into()),
     };
     let mut demonstrations = Vec::with_capacity(model.demonstrations.len());
-    for id in model.demonstrations {
-        let take = store.demonstration(id).await?.take;
-        let (samples, signals) = (store.samples(id).await?, store.signals(id).await?);
-        demonstrations.push((format!("take {take}"), samples, signals));
+    for source in model.sources() {
+        let take = store.demonstration(source.id).await?.take;
+        let recorded = recording(store, source.id, source.trim).await?;
+        demonstrations.push((format!("take {take}"), recorded.samples, recorded.signals));
     }
     Ok(Inputs {
         task,

@@ -3,6 +3,7 @@
 //! At most one recording of a robot is open, because it has one arm. Here it is begun and ended; `session`
 //! does what lies between. Not here: how lead-through is switched (crate `robot`).
 
+mod orders;
 mod session;
 
 use std::sync::Arc;
@@ -20,6 +21,8 @@ use crate::store::demonstrations::{
 use crate::store::{self, Store};
 use crate::uninterrupted::uninterrupted;
 use session::Session;
+
+pub use orders::Order;
 
 /// Why a recording could not begin or end.
 #[derive(Debug, thiserror::Error)]
@@ -39,6 +42,20 @@ pub enum RecordingError {
     /// The recording's state says open, but nobody records.
     #[error("this demonstration is not being recorded")]
     NotOpen,
+    /// The virtual hand can't be held up.
+    #[error("the virtual hand shows its motion in one go, so this recording can't be paused")]
+    HandGoesOn,
+    /// A recording without a sample has no place to be held up at.
+    #[error("nothing is recorded yet")]
+    NothingYet,
+    /// The arm is not where the recording was held up.
+    #[error("joint {joint} is {off_deg:.1}° from where you paused")]
+    Elsewhere {
+        /// The joint that is furthest off, from 1.
+        joint: usize,
+        /// How far.
+        off_deg: f64,
+    },
     /// The server is stopping.
     #[error("the server is stopping")]
     Closing,
@@ -103,6 +120,7 @@ enum Guiding {
     Recording {
         id: DemonstrationId,
         stop: watch::Sender<Stop>,
+        orders: mpsc::Sender<orders::Ordered>,
         task: JoinHandle<()>,
     },
     /// The server is stopping.
@@ -203,11 +221,13 @@ impl Recorder {
         };
         tools.events.tell(&demonstration);
         let (stop, stopped) = watch::channel(Stop::No);
-        let session = Session::new(tools.clone(), request.id, samples, stopped);
+        let (orders, ordered) = mpsc::channel(1);
+        let session = Session::new(tools.clone(), request.id, samples, stopped, ordered);
         let task = tokio::spawn(session.run(request.hand));
         *guiding = Guiding::Recording {
             id: request.id,
             stop,
+            orders,
             task,
         };
         Ok((demonstration, true))
@@ -219,6 +239,7 @@ impl Recorder {
             id: open,
             stop,
             task,
+            ..
         } = &mut *guiding
             && *open == id
         {

@@ -1,11 +1,14 @@
 //! One recording: samples come in, chunks go out, until somebody or something ends it.
 
+mod pausing;
+
 use std::time::Duration;
 
-use robot::{GuidanceEvent, HandActivity, HandCommand, RobotView};
-use tokio::sync::watch;
+use robot::{GuidanceEvent, GuidanceSample, HandActivity, HandCommand, RobotView};
+use tokio::sync::{mpsc, watch};
 use tokio::time::{Instant, MissedTickBehavior, interval, sleep_until};
 
+use super::orders::Ordered;
 use super::{HandShowing, SERVER_STOPPED, Samples, Stop, Tools};
 use crate::ids::DemonstrationId;
 use crate::jobs::demonstration_of;
@@ -15,6 +18,7 @@ use crate::store::recordings::{Closing, Gap, NewSamples};
 use crate::store::samples::Sample;
 use crate::store::signals::SignalEvent;
 use crate::words::sentence;
+use pausing::Flow;
 
 /// A crash costs at most what came in since the last chunk.
 const COMMIT_EVERY: Duration = Duration::from_millis(200);
@@ -26,7 +30,9 @@ pub(super) struct Session {
     id: DemonstrationId,
     incoming: Samples,
     stop: watch::Receiver<Stop>,
+    orders: mpsc::Receiver<Ordered>,
     begin_us: Option<u64>,
+    flow: Flow,
     seq: usize,
     samples: Vec<Sample>,
     gaps: Vec<Gap>,
@@ -47,13 +53,16 @@ impl Session {
         id: DemonstrationId,
         incoming: Samples,
         stop: watch::Receiver<Stop>,
+        orders: mpsc::Receiver<Ordered>,
     ) -> Self {
         Self {
             tools,
             id,
             incoming,
             stop,
+            orders,
             begin_us: None,
+            flow: Flow::default(),
             seq: 0,
             samples: Vec::new(),
             gaps: Vec::new(),
@@ -72,6 +81,7 @@ impl Session {
         };
         // Nobody can stop it any more; who wants the arm next waits for the rest.
         self.stop = watch::channel(Stop::No).1;
+        self.orders.close();
         self.tools.stiff_arm().await;
         if let Err(error) = self.close(end).await {
             tracing::error!(demonstration.id = %self.id, %error, "a recording could not be closed");
@@ -151,6 +161,8 @@ impl Session {
                     }
                     event.into_iter().for_each(|event| self.take(event));
                 }
+                // Last, so that all that came before is taken first.
+                Some(ordered) = self.orders.recv() => self.obey(ordered).await,
             }
         };
         // What the arm did before the end was asked for belongs to the recording.
@@ -163,16 +175,21 @@ impl Session {
     fn take(&mut self, event: GuidanceEvent) {
         match event {
             GuidanceEvent::Sample(sample) => {
-                let begin_us = self.begin_at(sample.at_us);
-                self.samples.push(Sample {
+                if self.flow.holds_up(&sample) {
+                    return;
+                }
+                let begin_us = self.begin_at(&sample);
+                let sample = Sample {
                     at_us: sample.at_us.saturating_sub(begin_us),
                     joints_deg: sample.joints.0,
                     tcp_mm: None,
-                });
+                };
+                self.flow.saw(&sample);
+                self.samples.push(sample);
             }
             GuidanceEvent::Gap { at_us, length_us } => {
-                // A gap before the first sample is not inside the recording.
-                if let Some(begin_us) = self.begin_us {
+                // A gap before the first sample or in a pause is not inside the recording.
+                if let (Some(begin_us), None) = (self.begin_us, self.flow.place_us()) {
                     let at_us = at_us.saturating_sub(begin_us);
                     self.gaps.push(Gap { at_us, length_us });
                 }
@@ -185,8 +202,12 @@ impl Session {
     }
 
     /// When the recording began. With its first sample it begins, and the signals as they stand.
-    fn begin_at(&mut self, at_us: u64) -> u64 {
+    /// After a pause it is moved so that the pause is closed up.
+    fn begin_at(&mut self, sample: &GuidanceSample) -> u64 {
+        let at_us = sample.at_us;
         if let Some(begin_us) = self.begin_us {
+            let begin_us = self.flow.closed_up(sample).unwrap_or(begin_us);
+            self.begin_us = Some(begin_us);
             return begin_us;
         }
         self.begin_us = Some(at_us);
@@ -196,6 +217,7 @@ impl Session {
             let is_told = self.signals.iter().any(|told| told.name == *name);
             if let (false, Some(on)) = (is_told, signal.is_on) {
                 let name = name.clone();
+                self.flow.stands(&name, on);
                 self.signals.push(SignalEvent { at_us: 0, name, on });
             }
         }
@@ -204,6 +226,14 @@ impl Session {
 
     /// A change of a signal. One before the first sample is part of how the recording began.
     fn take_signal(&mut self, at_us: u64, name: String, on: bool) {
+        if self.flow.is_paused() {
+            return self.flow.meanwhile(name, on);
+        }
+        if let Some(at_us) = self.flow.place_us() {
+            self.flow.stands(&name, on);
+            return self.signals.push(SignalEvent { at_us, name, on });
+        }
+        self.flow.stands(&name, on);
         let begin_us = self.begin_us.unwrap_or(u64::MAX);
         let at_us = at_us.saturating_sub(begin_us);
         let mut told = self.signals.iter_mut();
@@ -227,19 +257,27 @@ impl Session {
         if self.samples.is_empty() && self.gaps.is_empty() && self.signals.is_empty() {
             return Ok(());
         }
-        let new = NewSamples {
+        let new = self.uncommitted();
+        let demonstration = self.tools.store.append_samples(self.id, new).await?;
+        self.committed();
+        self.tools.events.tell(&demonstration);
+        Ok(())
+    }
+
+    fn uncommitted(&self) -> NewSamples<'_> {
+        NewSamples {
             seq: self.seq,
             samples: &self.samples,
             gaps: &self.gaps,
             signals: &self.signals,
-        };
-        let demonstration = self.tools.store.append_samples(self.id, new).await?;
+        }
+    }
+
+    fn committed(&mut self) {
         self.seq += 1;
         self.samples.clear();
         self.gaps.clear();
         self.signals.clear();
-        self.tools.events.tell(&demonstration);
-        Ok(())
     }
 
     async fn close(&mut self, end: End) -> Result<(), store::Error> {
@@ -259,12 +297,7 @@ impl Session {
             End::Wanted => (DemonstrationState::Recorded, None),
             End::Note(note) => (DemonstrationState::Recorded, Some(note)),
         };
-        let last = NewSamples {
-            seq: self.seq,
-            samples: &self.samples,
-            gaps: &self.gaps,
-            signals: &self.signals,
-        };
+        let last = self.uncommitted();
         let problem = problem_with(&all);
         let closing = Closing {
             state,

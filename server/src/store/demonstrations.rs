@@ -7,7 +7,8 @@ use sqlx::{Row, Sqlite, Transaction};
 use super::recordings::append;
 use super::samples::Sample;
 use super::signals::{SignalEvent, add_signals};
-use super::text::{parsed, unsigned, words};
+use super::text::{json, parsed, unsigned, words};
+use super::trims::{Trim, trim};
 use super::{Error, Result, Store};
 use crate::clock::WallTime;
 use crate::ids::{DemonstrationId, TaskId};
@@ -69,6 +70,15 @@ pub struct Demonstration {
     pub rate_hz: f64,
     /// How many stretches without samples there are.
     pub gaps: u64,
+    /// How often it was held up.
+    pub pauses: u64,
+    /// Where the arm was when it was held up, in degrees per joint; missing unless it is now.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<f64>>)]
+    pub paused_at_deg: Option<[f64; 6]>,
+    /// The stretch of it that is used; all of it when missing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub trim: Option<Trim>,
     /// Something that a person should know about how it ended.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
@@ -86,6 +96,16 @@ pub enum Decision {
     Keep,
     /// Don't; the data stays, and keeping it later undoes this.
     Discard,
+    /// Nothing yet: what was decided before is taken back.
+    Reconsider,
+}
+
+impl Demonstration {
+    /// How long the stretch is that is used, in seconds.
+    pub fn used_s(&self) -> f64 {
+        self.trim
+            .map_or(self.duration_s, |trim| trim.to_s - trim.from_s)
+    }
 }
 
 /// What is known of a demonstration when its row is made.
@@ -180,12 +200,14 @@ impl Store {
         .await
     }
 
-    /// Keeps or discards a demonstration. Deciding the same again changes nothing.
+    /// Keeps or discards a demonstration, or takes such a decision back. Deciding the same again changes nothing.
     pub async fn decide(&self, id: DemonstrationId, decision: Decision) -> Result<Demonstration> {
         use DemonstrationState::{Discarded, Interrupted, Kept, Recorded};
         self.change(id, "finished", |state| match (decision, state) {
             (Decision::Keep, Recorded | Interrupted | Discarded | Kept) => Some(Kept),
             (Decision::Discard, Recorded | Interrupted | Kept | Discarded) => Some(Discarded),
+            (Decision::Reconsider, Interrupted) => Some(Interrupted),
+            (Decision::Reconsider, Recorded | Kept | Discarded) => Some(Recorded),
             _ => None,
         })
         .await
@@ -249,7 +271,10 @@ pub(super) fn from_row(row: &SqliteRow) -> Result<Demonstration> {
     let samples = unsigned(row, "samples")?;
     let duration_s = unsigned(row, "duration_us")? as f64 / 1e6;
     let intervals = samples.saturating_sub(1) as f64;
+    let trim = trim(row)?;
+    // That is about the whole of it. A stretch is only chosen when something can be learnt from it.
     let problem: Option<String> = row.try_get("problem")?;
+    let problem = problem.filter(|_| trim.is_none());
     let open = matches!(
         state,
         DemonstrationState::Preparing | DemonstrationState::Recording
@@ -270,6 +295,9 @@ pub(super) fn from_row(row: &SqliteRow) -> Result<Demonstration> {
             0.0
         },
         gaps: unsigned(row, "gaps")?,
+        pauses: unsigned(row, "pauses")?,
+        paused_at_deg: json(row, "paused_at_deg")?,
+        trim,
         note: row.try_get("note")?,
         usable: !open && samples > 1 && problem.is_none(),
         problem,

@@ -4,11 +4,11 @@ use serde::Serialize;
 use sqlx::Row;
 use sqlx::sqlite::SqliteRow;
 
-use super::models::{Model, ModelState, NewModel, give_up, insert};
+use super::models::{Model, ModelState, NewModel, Source, give_up, insert};
 use super::text::{Failure, failure, parsed, unsigned, words};
 use super::{Error, Result, Store};
 use crate::clock::WallTime;
-use crate::ids::{DemonstrationId, JobId, ModelId, TaskId};
+use crate::ids::{JobId, ModelId, TaskId};
 
 words!(
     /// What a job does.
@@ -88,7 +88,7 @@ pub struct NewTraining<'a> {
     /// The task.
     pub task_id: TaskId,
     /// What to train from, in order.
-    pub demonstrations: &'a [DemonstrationId],
+    pub sources: &'a [Source],
     /// How to train.
     pub method: &'a str,
     /// The seed of everything random.
@@ -140,7 +140,7 @@ impl Store {
             id: model_id,
             task_id: new.task_id,
             job_id,
-            demonstrations: new.demonstrations,
+            sources: new.sources,
             method: new.method,
             seed: new.seed,
         };

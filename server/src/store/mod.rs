@@ -14,6 +14,8 @@ pub mod leases;
 pub mod models;
 pub mod outcomes;
 mod pairing;
+pub mod pauses;
+pub mod pictures;
 pub mod positions;
 pub mod questionnaire;
 pub mod recordings;
@@ -24,6 +26,7 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 pub mod text;
+pub mod trims;
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -92,7 +95,7 @@ pub struct Store {
     readers: SqlitePool,
 }
 
-const MIGRATIONS: [(i64, &str, &str); 8] = [
+const MIGRATIONS: [(i64, &str, &str); 9] = [
     (
         1,
         "tasks and demonstrations",
@@ -127,6 +130,11 @@ const MIGRATIONS: [(i64, &str, &str); 8] = [
         7,
         "flights",
         include_str!("../../../migrations/0007_flights.sql"),
+    ),
+    (
+        8,
+        "pictures pauses and trims",
+        include_str!("../../../migrations/0008_pictures_pauses_and_trims.sql"),
     ),
     (
         9,

@@ -5,6 +5,7 @@ use sqlx::sqlite::SqliteRow;
 use sqlx::{Row, Sqlite, Transaction};
 
 use super::text::{Failure, failure, json, parsed, to_json, words};
+use super::trims::{Trim, columns, trim};
 use super::{Error, Result, Store};
 use crate::clock::WallTime;
 use crate::ids::{DemonstrationId, JobId, ModelId, TaskId};
@@ -38,6 +39,8 @@ pub struct Model {
     pub job_id: JobId,
     /// What it was trained from.
     pub demonstrations: Vec<DemonstrationId>,
+    /// For each of these, the stretch of it that was used; all of it where nothing stands.
+    pub trims: Vec<Option<Trim>>,
     /// How it was trained.
     pub method: String,
     /// The seed of everything random in the training.
@@ -63,6 +66,26 @@ pub struct Model {
     /// Why training came to nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<Failure>,
+}
+
+/// One thing that a model is trained from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Source {
+    /// The demonstration.
+    pub id: DemonstrationId,
+    /// The stretch of it; all of it when missing.
+    pub trim: Option<Trim>,
+}
+
+impl Model {
+    /// What it was trained from.
+    pub fn sources(&self) -> impl Iterator<Item = Source> {
+        let pairs = self.demonstrations.iter().zip(&self.trims);
+        pairs.map(|(id, trim)| Source {
+            id: *id,
+            trim: *trim,
+        })
+    }
 }
 
 /// What training makes of a model's row.
@@ -122,7 +145,8 @@ impl Store {
     async fn with_sources(&self, row: &SqliteRow) -> Result<Model> {
         let mut model = from_row(row)?;
         let sources = sqlx::query(
-            "SELECT demonstration_id FROM model_source WHERE model_id = ? ORDER BY position",
+            "SELECT demonstration_id, trim_from_us, trim_to_us FROM model_source \
+             WHERE model_id = ? ORDER BY position",
         )
         .bind(model.id.to_string())
         .fetch_all(&self.readers)
@@ -131,6 +155,7 @@ impl Store {
             .iter()
             .map(|row| parsed(row, "demonstration_id"))
             .collect::<Result<_>>()?;
+        model.trims = sources.iter().map(trim).collect::<Result<_>>()?;
         Ok(model)
     }
 }
@@ -140,7 +165,7 @@ pub(super) struct NewModel<'a> {
     pub id: ModelId,
     pub task_id: TaskId,
     pub job_id: JobId,
-    pub demonstrations: &'a [DemonstrationId],
+    pub sources: &'a [Source],
     pub method: &'a str,
     pub seed: u64,
 }
@@ -163,13 +188,18 @@ pub(super) async fn insert(
     .bind(now.0)
     .execute(&mut **transaction)
     .await?;
-    for (position, demonstration) in new.demonstrations.iter().enumerate() {
+    for (position, source) in new.sources.iter().enumerate() {
+        let (from_us, to_us) = columns(source.trim);
         sqlx::query(
-            "INSERT INTO model_source (model_id, position, demonstration_id) VALUES (?, ?, ?)",
+            "INSERT INTO model_source \
+             (model_id, position, demonstration_id, trim_from_us, trim_to_us) \
+             VALUES (?, ?, ?, ?, ?)",
         )
         .bind(new.id.to_string())
         .bind(i64::try_from(position).unwrap_or(i64::MAX))
-        .bind(demonstration.to_string())
+        .bind(source.id.to_string())
+        .bind(from_us)
+        .bind(to_us)
         .execute(&mut **transaction)
         .await?;
     }
@@ -232,6 +262,7 @@ fn from_row(row: &SqliteRow) -> Result<Model> {
         state: parsed(row, "state")?,
         job_id: parsed(row, "job_id")?,
         demonstrations: Vec::new(),
+        trims: Vec::new(),
         method: row.try_get("method")?,
         seed: row.try_get::<i64, _>("seed")?.cast_unsigned(),
         created_at: WallTime(row.try_get("created_at_ms")?),

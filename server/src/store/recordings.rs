@@ -50,9 +50,7 @@ impl Store {
         last: NewSamples<'_>,
     ) -> Result<Demonstration> {
         let mut transaction = self.begin().await?;
-        append(&mut transaction, id, last.seq, last.samples).await?;
-        add_gaps(&mut transaction, id, last.gaps).await?;
-        add_signals(&mut transaction, id, last.signals).await?;
+        add_new(&mut transaction, id, last).await?;
         transaction.commit().await?;
         self.demonstration(id).await
     }
@@ -67,7 +65,7 @@ impl Store {
     ) -> Result<Demonstration> {
         let mut transaction = self.begin().await?;
         let changed = sqlx::query(
-            "UPDATE demonstration SET state = ?, note = ?, problem = ? \
+            "UPDATE demonstration SET state = ?, note = ?, problem = ?, paused_at_deg = NULL \
              WHERE id = ? AND state IN ('preparing', 'recording')",
         )
         .bind(closing.state.as_str())
@@ -85,9 +83,7 @@ impl Store {
                 wanted: "preparing or recording",
             });
         }
-        append(&mut transaction, id, last.seq, last.samples).await?;
-        add_gaps(&mut transaction, id, last.gaps).await?;
-        add_signals(&mut transaction, id, last.signals).await?;
+        add_new(&mut transaction, id, last).await?;
         transaction.commit().await?;
         self.demonstration(id).await
     }
@@ -97,7 +93,7 @@ impl Store {
     pub async fn recover_recordings(&self, note: &str) -> Result<Vec<Demonstration>> {
         let mut transaction = self.begin().await?;
         let rows = sqlx::query(
-            "UPDATE demonstration SET note = ?, \
+            "UPDATE demonstration SET note = ?, paused_at_deg = NULL, \
              state = CASE WHEN samples > 0 THEN 'interrupted' ELSE 'discarded' END \
              WHERE state IN ('preparing', 'recording') RETURNING *",
         )
@@ -153,6 +149,17 @@ impl Store {
         })
         .collect()
     }
+}
+
+/// Adds what came in since the last chunk.
+pub(super) async fn add_new(
+    transaction: &mut Transaction<'static, Sqlite>,
+    id: DemonstrationId,
+    new: NewSamples<'_>,
+) -> Result<()> {
+    append(transaction, id, new.seq, new.samples).await?;
+    add_gaps(transaction, id, new.gaps).await?;
+    add_signals(transaction, id, new.signals).await
 }
 
 async fn add_gaps(

@@ -19,6 +19,9 @@ pub struct Task {
     /// When it was made.
     #[schema(value_type = String, format = DateTime)]
     pub created_at: WallTime,
+    /// Names its photo, another one by another name; missing when there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub picture: Option<String>,
 }
 
 const NOT_FOUND: Error = Error::NotFound { what: "task" };
@@ -48,20 +51,26 @@ impl Store {
 
     /// All tasks, oldest first.
     pub async fn tasks(&self) -> Result<Vec<Task>> {
-        sqlx::query("SELECT * FROM task WHERE deleted_at_ms IS NULL ORDER BY created_at_ms, id")
-            .fetch_all(&self.readers)
-            .await?
-            .iter()
-            .map(from_row)
-            .collect()
+        sqlx::query(
+            "SELECT *, (SELECT substr(sha256, 1, 16) FROM task_picture WHERE task_id = task.id) \
+             AS picture FROM task WHERE deleted_at_ms IS NULL ORDER BY created_at_ms, id",
+        )
+        .fetch_all(&self.readers)
+        .await?
+        .iter()
+        .map(from_row)
+        .collect()
     }
 
     /// One task.
     pub async fn task(&self, id: TaskId) -> Result<Task> {
-        let row = sqlx::query("SELECT * FROM task WHERE id = ? AND deleted_at_ms IS NULL")
-            .bind(id.to_string())
-            .fetch_optional(&self.readers)
-            .await?;
+        let row = sqlx::query(
+            "SELECT *, (SELECT substr(sha256, 1, 16) FROM task_picture WHERE task_id = task.id) \
+             AS picture FROM task WHERE id = ? AND deleted_at_ms IS NULL",
+        )
+        .bind(id.to_string())
+        .fetch_optional(&self.readers)
+        .await?;
         from_row(&row.ok_or(NOT_FOUND)?)
     }
 
@@ -94,6 +103,15 @@ impl Store {
         }
         Ok(())
     }
+
+    /// Brings a task back that was put out of sight; one that is in sight stays so.
+    pub async fn restore_task(&self, id: TaskId) -> Result<Task> {
+        sqlx::query("UPDATE task SET deleted_at_ms = NULL WHERE id = ?")
+            .bind(id.to_string())
+            .execute(&self.writer)
+            .await?;
+        self.task(id).await
+    }
 }
 
 fn from_row(row: &SqliteRow) -> Result<Task> {
@@ -101,5 +119,6 @@ fn from_row(row: &SqliteRow) -> Result<Task> {
         id: parsed(row, "id")?,
         name: row.try_get("name")?,
         created_at: WallTime(row.try_get("created_at_ms")?),
+        picture: row.try_get("picture")?,
     })
 }

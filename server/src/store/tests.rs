@@ -56,7 +56,7 @@ pub(super) fn samples(first_us: u64, count: u64) -> Vec<Sample> {
 pub(super) async fn training(store: &Store, task_id: TaskId, key: &str) -> (Job, Model, bool) {
     let new = NewTraining {
         task_id,
-        demonstrations: &[],
+        sources: &[],
         method: "paper",
         seed: u64::MAX,
         unique_key: key,

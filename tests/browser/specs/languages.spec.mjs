@@ -143,6 +143,9 @@ test("no page breaks in any language", async () => {
     return state === "ready";
   });
   const [robot] = await get("/robots");
+  const place = crypto.randomUUID();
+  const name = `Parkplatz ${place.slice(0, 4)}`;
+  await post("/positions", json({ id: place, robot: robot.id, name }));
   const pages = {
     teach: "#/teach",
     "new-task": "#/teach/new",
@@ -154,6 +157,7 @@ test("no page breaks in any language", async () => {
     robots: "#/robots",
     run: "#/run",
     setup: `#/run/${task.id}`,
+    positions: `#/run/${task.id}/positions`,
     missing: "#/nonsense",
   };
   for (const language of LANGUAGES) {
@@ -176,6 +180,8 @@ test("no page breaks in any language", async () => {
     await recording(page, language.code, pages.record);
   }
   await motion(page, { task, model, robot });
+  // Other specs begin without a position.
+  await fetch(new URL(`/api/v1/positions/${place}`, BASE_URL), { method: "DELETE" });
   await hangUp(phone);
 });
 
@@ -210,9 +216,12 @@ async function recording(page, code, fragment) {
 async function motion(page, { task, model, robot }) {
   const wish = { model_id: model.id, start: "as_taught", goal: "as_taught", speed: 1 };
   const plan = await post("/plans", json({ ...wish, robot: robot.id }));
+  // The phone has the control of the robot, so it is the one that asks.
+  const phone = await page.evaluate(() => localStorage.getItem("team.phone"));
+  const ours = ({ body, headers }) => ({ body, headers: { ...headers, "X-Team-Phone": phone } });
   const id = crypto.randomUUID();
-  await post("/reproductions", json({ id, robot: robot.id, plan: plan.plan }));
-  await post(`/reproductions/${id}/pace`, json({ paused: true }));
+  await post("/reproductions", ours(json({ id, robot: robot.id, plan: plan.plan })));
+  await post(`/reproductions/${id}/pace`, ours(json({ paused: true })));
   const fragment = `#/run/${task.id}/motions/${id}`;
   for (const language of LANGUAGES) {
     await speak(page, language);
@@ -220,7 +229,7 @@ async function motion(page, { task, model, robot }) {
     await page.getByRole("progressbar").waitFor();
     await inspect(page, `${language.code}-moving`);
   }
-  await post(`/reproductions/${id}/pace`, json({ paused: false }));
+  await post(`/reproductions/${id}/pace`, ours(json({ paused: false })));
   await page.getByRole("slider").waitFor({ timeout: MOTION_MS });
   for (const language of LANGUAGES) {
     await speak(page, language);
@@ -228,5 +237,9 @@ async function motion(page, { task, model, robot }) {
     await page.getByRole("slider").waitFor();
     await unfold(page);
     await inspect(page, `${language.code}-result`);
+    await show(page, `${fragment}/questions`);
+    await inspect(page, `${language.code}-questions`);
+    await show(page, "#/dashboard");
+    await inspect(page, `${language.code}-dashboard`);
   }
 }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { get } from "../support/api.mjs";
-import { GROWTH_BYTES, heapBytes, kilobytes } from "../support/budgets.mjs";
+import { GROWTH_BYTES, heapBytes, kilobytes, report } from "../support/budgets.mjs";
 import { taskFromFiles } from "../support/files.mjs";
 import { drawn, hangUp, newPhone, openBrowser, BASE_URL } from "../support/phone.mjs";
 
@@ -73,7 +73,7 @@ test("an hour of messages while recording does not make the page grow", async (r
   const warm = await after(WARM_UP);
   const end = await after(MESSAGES - WARM_UP);
   assert.match(await page.getByRole("timer").innerText(), /^5\d:\d\d/, "all was taken in");
-  run.diagnostic(`${kilobytes(warm)} after six minutes, ${kilobytes(end)} after an hour`);
+  await report(run, `memory ${kilobytes(warm)} after six minutes, ${kilobytes(end)} after an hour`);
   assert.ok(end - warm < GROWTH_BYTES, `${end - warm} bytes more after an hour`);
   await hangUp(phone);
 });

@@ -49,6 +49,8 @@ test("a recorded file becomes a take; a broken one is refused with what and wher
 test("the arm is made soft, brought back by the hand, and made stiff again", async () => {
   const phone = await newPhone(browser);
   const { page } = phone;
+  // As on a phone on which the virtual hand was chosen to lead, and not the person.
+  await page.addInitScript(() => localStorage.setItem("team.hand-script", "f1"));
   await newTask(page, "By hand");
   await linkNamed(page, "More").click();
   await robotReady(page);

@@ -7,11 +7,11 @@ import { hangUp, newPhone, openApp, openBrowser } from "../support/phone.mjs";
 import {
   button,
   keepTake,
-  linkNamed,
   motionDone,
   newTask,
   preview,
   robotReady,
+  runSetup,
   startMotion,
   startRecording,
   train,
@@ -41,7 +41,7 @@ test("the gripper is worked while recording, and the motion works it again", asy
   await keepTake(page);
 
   await train(page);
-  await linkNamed(page, "Run it").click();
+  await runSetup(page);
   await page.getByRole("radio", { name: /^Full/ }).check();
   await preview(page);
   // The gripper still holds what the hand gave it: the page says what will happen to it.

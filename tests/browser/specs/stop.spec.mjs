@@ -7,12 +7,12 @@ import { hangUp, newPhone, openApp, openBrowser } from "../support/phone.mjs";
 import {
   button,
   heading,
-  linkNamed,
-  preview,
-  startMotion,
-  startRecording,
   keepTake,
   newTask,
+  preview,
+  runSetup,
+  startMotion,
+  startRecording,
   train,
 } from "../support/steps.mjs";
 
@@ -28,7 +28,7 @@ test("a motion is paused, goes on, is stopped, and can be led back or started ag
   const task = await taskFromFiles("To be stopped");
   await openApp(page, `#/teach/${task.id}`);
   await train(page);
-  await linkNamed(page, "Run it").click();
+  await runSetup(page);
   await preview(page);
   await startMotion(page);
   // From where it has not moved there is no way back.

@@ -15,6 +15,7 @@ import {
   preview,
   recordTake,
   robotReady,
+  runSetup,
   startMotion,
   train,
 } from "../support/steps.mjs";
@@ -61,8 +62,7 @@ test("a motion is taught by three takes and the arm does it", async () => {
   assert.equal(await figure(page, "Takes used"), "3");
   await inspect(page, "teach-result-figures");
 
-  await linkNamed(page, "Run it").click();
-  await page.getByText("Where shall it end?").waitFor();
+  await runSetup(page);
   await inspect(page, "run-setup");
   await page.getByRole("radio", { name: /^Full/ }).check();
   await preview(page);

@@ -15,6 +15,7 @@ async function request(method, path, body, type = "application/json") {
 export const get = (path) => request("GET", path);
 export const post = (path, body) =>
   request("POST", path, body === undefined ? undefined : JSON.stringify(body));
+export const put = (path, body) => request("PUT", path, JSON.stringify(body));
 export const patch = (path, body) => request("PATCH", path, JSON.stringify(body));
 
 /** A recorded file as a take that waits for a decision. */

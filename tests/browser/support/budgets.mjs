@@ -1,4 +1,5 @@
 // What the app may cost a phone, and how the costs are measured.
+import { appendFile } from "node:fs/promises";
 
 /** Bytes on the wire until the Teach page is usable. */
 export const FIRST_LOAD_BYTES = 120_000;
@@ -9,6 +10,12 @@ export const INTERACTION_MS = 100;
 export const SLOWER = 4;
 /** By how much the page's memory may grow over an hour of live messages. */
 export const GROWTH_BYTES = 1_000_000;
+
+/** Prints a figure, and keeps it in the file that BUDGETS names. */
+export async function report(run, words) {
+  run.diagnostic(words);
+  if (process.env.BUDGETS) await appendFile(process.env.BUDGETS, `${words}\n`);
+}
 
 /** Adds up what the network brings, from now on. */
 export async function countBytes(page) {

@@ -17,8 +17,13 @@ export function findFaults({ large = false }) {
   const shown = (element) => {
     const box = element.getBoundingClientRect();
     const style = getComputedStyle(element);
+    // What is folded away has a place, too.
     return (
-      box.width > 1 && box.height > 1 && style.visibility !== "hidden" && style.opacity !== "0"
+      element.checkVisibility() &&
+      box.width > 1 &&
+      box.height > 1 &&
+      style.visibility !== "hidden" &&
+      style.opacity !== "0"
     );
   };
 

@@ -1,10 +1,12 @@
 // Every page and state of the app and how to reach it, in any language: by its address, by what the
 // server is staged to say, and by what is pressed (found by its place, never by its words).
 import { recording } from "./files.mjs";
-import { curveOf } from "./stage.mjs";
+import { curveOf, openStages } from "./stage.mjs";
 
 /** The takes were compared, and the picture of the last is drawn. */
 const compared = "main:has(.notice:not(.tone-plain) .advice) li:last-child .sparkline path";
+/** The identity of the phone that looks at the states. */
+export const OWN_PHONE = "0198c0de-0000-7000-8000-000000000001";
 const primary = (page) => page.locator(".actions .button-primary");
 const top = (page, selector) =>
   page.locator(selector).evaluate((element) => element.scrollIntoView({ block: "start" }));
@@ -20,7 +22,13 @@ const FAULT = {
 export function statesOf(world) {
   const { tasks } = world;
   const curve = curveOf(world.trajectory);
-  const idle = { ...world.guidingRobot, state: "idle", lead_through: false, hand: null };
+  const idle = {
+    ...world.guidingRobot,
+    state: "idle",
+    lead_through: false,
+    hand: null,
+    control: null,
+  };
   const task = `#/teach/${tasks.drill}`;
   const takeAt = (take) => `#/teach/${take.task_id}/takes/${take.id}`;
   const taking = (take, robot) => ({
@@ -118,6 +126,24 @@ export function statesOf(world) {
       stage: { ...taking(world.recordingTake, world.guidingRobot), lost: true },
     },
     {
+      name: "teach-paused",
+      at: takeAt(world.recordingTake),
+      shows: ".recording-paused",
+      stage: taking(
+        { ...world.recordingTake, paused_at_deg: world.guidingRobot.joints_deg },
+        world.guidingRobot,
+      ),
+    },
+    {
+      name: "teach-cut",
+      at: `${task}/takes/${world.take}`,
+      shows: ".trim-steps",
+      then: async (page) => {
+        await page.locator(".card:has(.trim) summary").click();
+        await top(page, ".card:has(.trim)");
+      },
+    },
+    {
       name: "teach-review",
       at: `#/teach/${tasks.lid}/takes/${world.waitingTake}`,
       shows: ".panels canvas",
@@ -187,6 +213,18 @@ export function statesOf(world) {
       shows: ".pace",
       stage: moving({ paused: true, phase: "paused", speed: 0.75 }),
     },
+    {
+      name: "run-held",
+      at: motionAt + world.motion,
+      shows: ".hold",
+      stage: moving({ paused: false, phase: "motion", speed: 0.25, held: true }),
+    },
+    {
+      name: "run-held-waits",
+      at: motionAt + world.motion,
+      shows: ".hold",
+      stage: moving({ paused: false, phase: "paused", speed: 0.25, held: false }),
+    },
     { name: "run-result", at: motionAt + world.motion, shows: ".panels canvas" },
     {
       name: "run-replay",
@@ -216,6 +254,19 @@ export function statesOf(world) {
         await top(page, ".events");
       },
     },
+    {
+      name: "run-outcome",
+      at: motionAt + world.stopped,
+      shows: ".outcome[aria-pressed=true]",
+      then: (page) => top(page, ".card:has(.outcome)"),
+    },
+    {
+      name: "run-questions",
+      at: `${motionAt}${world.motion}/questions`,
+      shows: ".rating",
+      then: (page) => page.locator(".rating-answer").nth(3).click(),
+    },
+    { name: "run-positions", at: `#/run/${tasks.drill}/positions`, shows: ".rows .card" },
     { name: "run-stopped", at: motionAt + world.stopped, shows: ".panels canvas" },
     {
       name: "fault",
@@ -251,6 +302,36 @@ export function statesOf(world) {
       stage: { answers: { "/robots": cell }, live: { robot: cell[0] } },
     },
     {
+      name: "control-other",
+      at: "#/teach",
+      shows: ".control-strip",
+      stage: { live: { robot: { ...idle, control: { phone: { id: "other", name: "Ana" } } } } },
+    },
+    {
+      name: "control-asked",
+      at: "#/teach",
+      shows: ".control-answers",
+      stage: {
+        live: {
+          robot: {
+            ...idle,
+            control: { phone: { id: OWN_PHONE, name: "" }, asked_by: { id: "other", name: "Ana" } },
+          },
+        },
+      },
+    },
+    { name: "dashboard", at: "#/dashboard", shows: ".dashboard td" },
+    {
+      name: "dashboard-answers",
+      at: "#/dashboard",
+      shows: ".dashboard .radar",
+      then: async (page) => {
+        await page.locator(".radar").first().waitFor();
+        await top(page, ".dashboard > .dashboard-part:last-child");
+      },
+    },
+    { name: "language", at: "#/language", shows: ".language-choice" },
+    {
       name: "pairing",
       at: "#/teach",
       shows: ".code",
@@ -258,6 +339,15 @@ export function statesOf(world) {
     },
     { name: "page-missing", at: "#/nowhere", shows: ".button-primary" },
   ];
+}
+
+/** Makes a phone ready for states: what it remembers, and stages. Returns what sets the stage. */
+export async function readyForStates(context, language = "en") {
+  const remembered = { "team.language": language, "team.phone": OWN_PHONE };
+  await context.addInitScript((known) => {
+    for (const [key, value] of Object.entries(known)) localStorage.setItem(key, value);
+  }, remembered);
+  return openStages(context);
 }
 
 /** Opens a state on a phone whose stages were opened; resolves when it is on the screen. */

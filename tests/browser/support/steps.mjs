@@ -21,6 +21,9 @@ export async function newTask(page, name) {
   await page.getByLabel("Name of the task").fill(name);
   await inspect(page, "teach-new-task");
   await button(page, "Create task").click();
+  // A new task leads straight to its first recording; its own page is one step back.
+  await heading(page, "Record a take").waitFor();
+  await linkNamed(page, "Back").click();
   await heading(page, name).waitFor();
 }
 
@@ -66,6 +69,14 @@ export async function train(page) {
   await page.getByRole("progressbar", { name: "Training" }).or(learned).waitFor();
   await inspect(page, "teach-training");
   await learned.waitFor({ timeout: TRAINING_MS });
+}
+
+/** From a trained motion to the choices of a run, past the plan as it was taught. */
+export async function runSetup(page) {
+  await button(page, "Run it").click();
+  await heading(page, "Planned motion").waitFor();
+  await linkNamed(page, "Change").click();
+  await page.getByText("Where shall it end?").waitFor();
 }
 
 /** From the choices of a run to its plan. */

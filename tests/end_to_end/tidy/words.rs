@@ -23,7 +23,7 @@ const CATALOGUES: &str = "webapp/src/words/";
 const LANGUAGES: [&str; 3] = ["de", "fr", "it"];
 
 /// Sources whose words no phone ever shows, and where they are read instead.
-const NOT_FOR_PHONES: [(&str, &str); 13] = [
+const NOT_FOR_PHONES: [(&str, &str); 12] = [
     ("server/src/announce.rs", "the terminal: that it is ready"),
     ("server/src/app.rs", "the terminal: why it does not start"),
     ("server/src/cell/", "the terminal: the configuration file"),
@@ -32,10 +32,6 @@ const NOT_FOR_PHONES: [(&str, &str); 13] = [
     ("server/src/http/assets.rs", "browsers: headers"),
     ("server/src/http/headers.rs", "browsers: headers"),
     ("server/src/program.rs", "the terminal"),
-    (
-        "server/src/store/cycles.rs",
-        "the database: kinds of cycles",
-    ),
     (
         "server/crates/learning/src/model.rs",
         "the terminal: model files made by hand",
@@ -59,34 +55,24 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
     (
         "the list of who did what",
         &[
-            "acknowledged a fault",
-            "asked for a training",
-            "began a recording",
-            "called off",
             "changed the speed of a motion",
-            "deleted a task",
             "discarded a demonstration",
-            "ended a recording",
             "kept a demonstration",
             "let a motion go on",
-            "made a task",
             "made the arm s",
             "paired {",
             "paused a motion",
             "reset a signal",
+            "said that a motion",
             "set a signal",
-            "started a motion",
-            "stopped a motion",
-            "stopped every arm",
-            "stopped the arm",
             "this computer",
-            "uploaded a demonstration",
-            "wrong pairing code",
+            "took a decision about a demonstration back",
         ],
     ),
     (
         "the log; a phone hears that something went wrong inside the server",
         &[
+            "called off",
             "the MCAP file",
             "comparing the takes broke off",
             "reading broke off",
@@ -118,7 +104,13 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
     ),
     (
         "browsers: headers",
-        &["text/csv;", "attachment; filename", "{COOKIE}="],
+        &[
+            "text/csv;",
+            "inline; filename",
+            "private, max-age",
+            "attachment; filename",
+            "{COOKIE}=",
+        ],
     ),
     (
         "the database: changes of its tables, and its keys",
@@ -126,6 +118,8 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
             "the database could not be brought up to date",
             "jobs and models",
             "pairing and audit",
+            "pictures pauses and trims",
+            "positions outcomes questionnaire",
             "tasks and demonstrations",
             "train_model {}",
         ],
@@ -147,14 +141,24 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
     ),
 ];
 
+/// Called with what somebody did, for the list of that, which no phone shows.
+const LIST: &str = "audit";
+
 /// A literal of one word is a part of a sentence when it is given to one of these...
 const FIELDS: [&str; 10] = [
     "what", "WHAT", "wanted", "which", "reason", "label", "on", "off", "state", "mode",
 ];
 /// ... when one of these is called with it...
 const CALLS: [&str; 3] = ["judge", "not_found", "resolve"];
-/// ... or in the body of one of these: what a state is called, and the words of the store.
-const BODIES: [&str; 2] = ["words", "fmt"];
+/// ... or in the body of one of these: what a state is called.
+const BODIES: [(&str, &str); 6] = [
+    ("server/crates/robot/src/view.rs", "words"),
+    ("server/crates/rws/src/panel.rs", "fmt"),
+    ("server/src/store/demonstrations.rs", "words"),
+    ("server/src/store/jobs.rs", "words"),
+    ("server/src/store/models.rs", "words"),
+    ("server/src/store/reproductions.rs", "words"),
+];
 
 /// Every sentence and part of one, with where it is said.
 fn spoken(files: &[Tracked]) -> BTreeMap<String, String> {
@@ -164,7 +168,10 @@ fn spoken(files: &[Tracked]) -> BTreeMap<String, String> {
             let text = literal.text.trim();
             let mut exceptions = EXCEPTIONS.iter().flat_map(|(_, parts)| parts.iter());
             let excepted = exceptions.any(|part| text.starts_with(part));
-            if !excepted && (is_sentence(text) || is_part(&literal)) {
+            if literal.call != LIST
+                && !excepted
+                && (is_sentence(text) || is_part(&file.path, &literal))
+            {
                 let place = format!("{}:{}", file.path, literal.line);
                 spoken.entry(text.to_owned()).or_insert(place);
             }
@@ -207,12 +214,12 @@ fn is_sentence(text: &str) -> bool {
         && words.any(|word| word.len() > 1 && word.chars().any(char::is_lowercase))
 }
 
-fn is_part(literal: &Literal) -> bool {
+fn is_part(path: &str, literal: &Literal) -> bool {
     !literal.text.is_empty()
         && literal.text.chars().all(char::is_alphabetic)
         && (FIELDS.contains(&literal.before.as_str())
             || CALLS.contains(&literal.call.as_str())
-            || BODIES.contains(&literal.inside.as_str()))
+            || BODIES.contains(&(path, literal.inside.as_str())))
 }
 
 /// A language's entries, each with the file it stands in.

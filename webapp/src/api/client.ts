@@ -1,6 +1,6 @@
 // The one place that calls `fetch`. What may be asked is in endpoints.ts.
 import { phoneId, phoneName } from "../state/phone";
-import { inOurWords } from "../words";
+import { inOurWords, wordsLoaded } from "../words";
 import { fromDocument, unreachable, type Problem, type ProblemDocument } from "./problem";
 
 const BASE = "/api/v1";
@@ -57,6 +57,7 @@ export async function request<T>(method: string, path: string, options: Options 
 async function readJson(response: Response): Promise<unknown> {
   const text = await response.text();
   if (text === "") return null;
+  await wordsLoaded;
   try {
     return inOurWords(JSON.parse(text));
   } catch {

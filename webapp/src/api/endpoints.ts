@@ -23,6 +23,8 @@ import type {
   Task,
   TaskAgreement,
   Trajectory,
+  Trim,
+  TrimSuggestion,
 } from "./types";
 
 export const getSession = () => request<Session>("GET", "/session");
@@ -39,6 +41,13 @@ export const createTask = (id: string, name: string) =>
 export const renameTask = (task: string, name: string) =>
   request<Task>("PATCH", `/tasks/${task}`, { body: { name } });
 export const deleteTask = (task: string) => request<null>("DELETE", `/tasks/${task}`);
+export const restoreTask = (task: string) => request<Task>("POST", `/tasks/${task}/restore`);
+export const putPicture = (task: string, file: Blob) =>
+  request<Task>("PUT", `/tasks/${task}/picture`, { file });
+export const deletePicture = (task: string) => request<Task>("DELETE", `/tasks/${task}/picture`);
+/** For the browser, which keeps it: `picture` is another name for each photo. */
+export const pictureAddress = (task: string, picture: string) =>
+  address(`/tasks/${task}/picture?v=${picture}`);
 
 export interface NewDemonstration {
   id: string;
@@ -60,6 +69,21 @@ export const uploadDemonstration = (task: string, file: File) =>
   );
 export const closeDemonstration = (id: string, action: "stop" | "keep" | "discard") =>
   request<Demonstration>("POST", `/demonstrations/${id}/${action}`);
+export const undecide = (id: string) =>
+  request<Demonstration>("POST", `/demonstrations/${id}/undecide`);
+export const pauseRecording = (id: string) =>
+  request<Demonstration>("POST", `/demonstrations/${id}/pause`);
+export const resumeRecording = (id: string) =>
+  request<Demonstration>("POST", `/demonstrations/${id}/resume`);
+export const putTrim = (id: string, trim: Trim) =>
+  request<Demonstration>("PUT", `/demonstrations/${id}/trim`, { body: trim });
+export const deleteTrim = (id: string) =>
+  request<Demonstration>("DELETE", `/demonstrations/${id}/trim`);
+export const suggestTrim = (id: string) =>
+  request<TrimSuggestion>("GET", `/demonstrations/${id}/trim/suggestion`);
+/** Also what was cut away. */
+export const getWholeTrajectory = (id: string, points: number) =>
+  request<Trajectory>("GET", `/demonstrations/${id}/trajectory?raw=true&max_points=${points}`);
 export const getTrajectory = (id: string, points: number) =>
   request<Trajectory>("GET", `/demonstrations/${id}/trajectory?max_points=${points}`);
 

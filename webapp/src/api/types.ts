@@ -21,6 +21,18 @@ export interface Task {
   id: string;
   name: string;
   created_at: string;
+  /** Names its photo; another photo has another name. */
+  picture?: string | null;
+}
+
+/** The stretch of a take that is used, in seconds since its recording began. */
+export interface Trim {
+  from_s: number;
+  to_s: number;
+}
+
+export interface TrimSuggestion {
+  trim?: Trim | null;
 }
 
 export type DemonstrationState =
@@ -40,6 +52,10 @@ export interface Demonstration {
   samples: number;
   rate_hz: number;
   gaps: number;
+  pauses?: number;
+  /** Where the arm was when the recording was held up; only while it is. */
+  paused_at_deg?: Joints | null;
+  trim?: Trim | null;
   note?: string | null;
   usable: boolean;
   problem?: string | null;
@@ -88,10 +104,17 @@ export interface RunSignalMark {
   late_s: number;
 }
 
+/** Where a recording was held up. */
+export interface PauseMark {
+  at_s: number;
+  length_s?: number | null;
+}
+
 export interface Trajectory {
   t_s: number[];
   joints_deg: number[][];
   signals: SignalMark[];
+  pauses?: PauseMark[];
 }
 
 export interface Failure {
@@ -156,6 +179,8 @@ export interface Model {
   state: "training" | "ready" | "failed" | "cancelled";
   job_id: string;
   demonstrations: string[];
+  /** For each of these, the stretch that was used. */
+  trims?: (Trim | null)[];
   method: string;
   seed: number;
   created_at: string;
@@ -362,7 +387,7 @@ export interface RobotView {
   /** The link on which the arm is controlled. */
   egm: { connected: boolean; cycles: number; lost: number; late: number; real_time: boolean };
   lead_through?: boolean | null;
-  hand?: "idle" | "returning" | "showing" | null;
+  hand?: "idle" | "returning" | "showing" | "leading" | null;
   fault?: Failure | null;
   run?: {
     phase: "approach" | "motion" | "paused" | "settling" | "stopping";
@@ -403,4 +428,12 @@ export type LiveMessage =
   | { type: "demonstration"; demonstration: Demonstration }
   | { type: "job"; job: Job }
   | { type: "model"; model: Model }
-  | { type: "reproduction"; reproduction: Reproduction };
+  | { type: "reproduction"; reproduction: Reproduction }
+  /** Once for each drag that cannot begin or go on. */
+  | { type: "drag_refused"; code: string; detail: string; advice: string };
+
+/** What drags the soft virtual arm on the live socket: where the centre of the tool flange shall be
+ *  in the base frame, turned about its own axes from how it was when the drag began. */
+export type DragMessage =
+  | { type: "drag"; tool_mm: [number, number, number]; turn_deg?: [number, number, number] }
+  | { type: "drag_end" };

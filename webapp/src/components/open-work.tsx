@@ -23,10 +23,17 @@ export function OpenWork() {
       ))}
       {recording.map((take) => (
         <RowLink key={take.id} to={{ page: "take", task: take.task_id, take: take.id }}>
-          <span class="state row-name tone-bad">
-            <Icon name="record" />
-            {t.teach.recordingNow}
-          </span>
+          {take.paused_at_deg ? (
+            <span class="state row-name tone-soft">
+              <Icon name="pause" />
+              {t.teaching.pause.paused}
+            </span>
+          ) : (
+            <span class="state row-name tone-bad">
+              <Icon name="record" />
+              {t.teach.recordingNow}
+            </span>
+          )}
         </RowLink>
       ))}
       {training.map((job) => (

@@ -6,8 +6,8 @@ import type { Target } from "../state/navigation";
 import { t } from "../texts";
 import { FaultNotice } from "./fault-notice";
 import { Icon } from "./icon";
-import { UpdateNotice } from "./update-notice";
 import { LanguageLink } from "./language-link";
+import { UpdateNotice } from "./update-notice";
 
 interface Props {
   title: string;

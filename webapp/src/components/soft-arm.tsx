@@ -1,5 +1,6 @@
 // Making the arm soft without recording, to bring it back by hand.
 import { useComputed } from "@preact/signals";
+import { LiveArm } from "../arm3d/live-arm";
 import { returnVirtualHand, setLeadThrough } from "../api/endpoints";
 import { newSeed } from "../api/ids";
 import { handScript } from "../state/hand-script";
@@ -14,12 +15,13 @@ import { Notice, ProblemNotice } from "./notice";
 export function SoftArm() {
   const soft = robotState.value === "guiding";
   const why = useComputed(() => whyNotReady(robot.value, connection.value, true));
-  const handBusy = useComputed(() => (robot.value?.hand ?? "idle") !== "idle");
+  const handBusy = useComputed(() => robot.value?.hand === "returning");
   const toggle = useAction(async () => {
     await setLeadThrough(robotId.peek(), !soft);
   });
   const bringBack = useAction(async () => {
-    await returnVirtualHand(robotId.peek(), handScript.peek(), newSeed());
+    const script = handScript();
+    if (script) await returnVirtualHand(robotId.peek(), script, newSeed());
   });
   const busy = soft ? t.robot.soft.turningOff : t.robot.soft.turningOn;
   return (
@@ -35,7 +37,8 @@ export function SoftArm() {
       <Button icon="hand" why={why.value} busy={toggle.busy && busy} onPress={toggle.start}>
         {soft ? t.robot.soft.off : t.robot.soft.on}
       </Button>
-      {soft && isVirtual.value && (
+      {soft && <LiveArm />}
+      {soft && isVirtual.value && handScript() !== null && (
         <Button
           icon="again"
           busy={(bringBack.busy || handBusy.value) && t.robot.soft.handMoving}

@@ -18,10 +18,15 @@ test("the connection is live only after the snapshot, and starts anew only when 
 });
 
 test("waits grow by 1.4 from half a second to five seconds", () => {
-  expect(backOffMs(0)).toBe(500);
-  expect(backOffMs(1)).toBeCloseTo(700);
-  expect(backOffMs(2)).toBeCloseTo(980);
-  expect(backOffMs(6)).toBeCloseTo(3764.77, 1);
-  expect(backOffMs(7)).toBe(5000);
-  expect(backOffMs(1000)).toBe(5000);
+  expect(backOffMs(0, 0)).toBe(500);
+  expect(backOffMs(1, 0)).toBeCloseTo(700);
+  expect(backOffMs(2, 0)).toBeCloseTo(980);
+  expect(backOffMs(6, 0)).toBeCloseTo(3764.77, 1);
+  expect(backOffMs(7, 0)).toBe(5000);
+  expect(backOffMs(1000, 0)).toBe(5000);
+});
+
+test("phones that lost the server together come back at different times", () => {
+  expect(backOffMs(0, 1)).toBeCloseTo(650);
+  expect(backOffMs(1000, 1)).toBeCloseTo(6500);
 });

@@ -19,7 +19,13 @@ export const FIRST_DELAY_MS = 500;
 export const LONGEST_DELAY_MS = 5000;
 export const SILENCE_MS = 3000;
 
-/** How long to wait before trial number `attempt` (from 0) after the connection was lost. */
-export function backOffMs(attempt: number): number {
-  return Math.min(FIRST_DELAY_MS * 1.4 ** attempt, LONGEST_DELAY_MS);
+/** By how much a wait may be longer than another one: phones that lost the server together do not
+ *  come back together. */
+const SPREAD = 0.3;
+
+/** How long to wait before trial number `attempt` (from 0) after the connection was lost; `chance`
+ *  is from 0 to 1. */
+export function backOffMs(attempt: number, chance: number): number {
+  const delay = Math.min(FIRST_DELAY_MS * 1.4 ** attempt, LONGEST_DELAY_MS);
+  return delay * (1 + SPREAD * chance);
 }

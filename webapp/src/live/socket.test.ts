@@ -37,6 +37,7 @@ let live: LiveSocket;
 
 beforeEach(() => {
   vi.useFakeTimers();
+  vi.spyOn(Math, "random").mockReturnValue(0);
   vi.stubGlobal("WebSocket", FakeSocket);
   FakeSocket.all = [];
   states = [];
@@ -49,6 +50,7 @@ beforeEach(() => {
 afterEach(() => {
   vi.useRealTimers();
   vi.unstubAllGlobals();
+  vi.restoreAllMocks();
 });
 
 test("nothing counts before the snapshot", () => {

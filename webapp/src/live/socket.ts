@@ -70,7 +70,7 @@ export class LiveSocket {
   private lose(): void {
     if (this.current === "lost") return;
     this.drop();
-    this.retry = setTimeout(() => this.open(), backOffMs(this.attempt));
+    this.retry = setTimeout(() => this.open(), backOffMs(this.attempt, Math.random()));
     this.attempt += 1;
   }
 

@@ -2,12 +2,13 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
+import type { Trim } from "../api/types";
 import { degrees } from "../format/numbers";
 import { t } from "../texts";
 import { axisNumbers } from "./axis-numbers";
 import { AXIS_FONT, Chart, PLAIN } from "./chart";
 import { colour } from "./colours";
-import { drawLine, useCursor } from "./cursor";
+import { drawCut, drawLine, useCursor } from "./cursor";
 import { NumbersTable } from "./numbers-table";
 import { paddedRange, sentence, summarise } from "./summary";
 
@@ -30,9 +31,12 @@ interface Props {
   signalsS?: number[];
   /** A time that moves: a second line. */
   cursor?: ReadonlySignal<number>;
+  /** The stretch that is used; what lies outside is veiled. */
+  cut?: ReadonlySignal<Trim>;
 }
 
-export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS, cursor }: Props) {
+export function JointPanels(props: Props) {
+  const { title, timesS, layers, bandDeg, markS, signalsS, cursor, cut } = props;
   const main = layers[0]?.joints ?? [];
   return (
     <figure class="panels">
@@ -40,7 +44,10 @@ export function JointPanels({ title, timesS, layers, bandDeg, markS, signalsS, c
       {layers.length > 1 && <Legend layers={layers} />}
       <div class="panel-grid" role="img" aria-label={sentence(title, timesS, main)}>
         {main.map((_, joint) => (
-          <Panel key={joint} {...{ timesS, layers, bandDeg, markS, signalsS, cursor, joint }} />
+          <Panel
+            key={joint}
+            {...{ timesS, layers, bandDeg, markS, signalsS, cursor, cut, joint }}
+          />
         ))}
       </div>
       <NumbersTable caption={title} joints={main} />
@@ -55,10 +62,12 @@ interface PanelProps {
   markS: number | undefined;
   signalsS: number[] | undefined;
   cursor: ReadonlySignal<number> | undefined;
+  cut: ReadonlySignal<Trim> | undefined;
   joint: number;
 }
 
-function Panel({ timesS, layers, bandDeg, markS, signalsS, cursor, joint }: PanelProps) {
+function Panel(props: PanelProps) {
+  const { timesS, layers, bandDeg, markS, signalsS, cursor, cut, joint } = props;
   const band = bandDeg?.[joint];
   const data = useMemo<uPlot.AlignedData>(() => {
     const lines = layers.map((layer) => layer.joints[joint] ?? []);
@@ -68,8 +77,13 @@ function Panel({ timesS, layers, bandDeg, markS, signalsS, cursor, joint }: Pane
       : [];
     return [timesS, ...edges, ...lines];
   }, [timesS, layers, band, joint]);
-  const options = () => panelOptions(layers, band !== undefined, markS, signalsS, cursor);
-  const onReady = useCursor(cursor);
+  const options = () => panelOptions(layers, band !== undefined, markS, signalsS, cursor, cut);
+  const onCursor = useCursor(cursor);
+  const onCut = useCursor(cut);
+  const onReady = (plot: uPlot) => {
+    onCursor(plot);
+    onCut(plot);
+  };
   const summary = summarise(layers[0]?.joints[joint] ?? []);
   return (
     <div class="panel">
@@ -88,6 +102,7 @@ function panelOptions(
   markS: number | undefined,
   signalsS: number[] = [],
   cursor: ReadonlySignal<number> | undefined,
+  cut: ReadonlySignal<Trim> | undefined,
 ) {
   const edge: uPlot.Series = { stroke: "transparent", points: { show: false } };
   const lines = layers.map((layer) => ({
@@ -116,6 +131,7 @@ function panelOptions(
   const drawLines = (plot: uPlot) => {
     if (markS !== undefined) drawLine(plot, markS, colour("plot-axis"), [2, 4]);
     signalsS.forEach((atS) => drawLine(plot, atS, colour("plot-axis"), []));
+    if (cut) drawCut(plot, cut.peek(), colour("plot-veil"), colour("text"));
     if (cursor) drawLine(plot, cursor.peek(), colour("text"), []);
   };
   options.hooks = { draw: [drawLines] };

@@ -7,7 +7,13 @@ import { demonstrations } from "./entities";
 import { useLoad, type Load } from "./hooks";
 
 /** The latest answer for each task. */
-const answers = signal<ReadonlyMap<string, TaskAgreement>>(new Map());
+const answers = signal<ReadonlyMap<string, Answer>>(new Map());
+
+interface Answer {
+  agreement: TaskAgreement;
+  /** How the takes were cut when it was asked for. */
+  cuts: string;
+}
 
 export interface Compared {
   /** Null until there is an answer about just these takes. */
@@ -27,19 +33,32 @@ export function fits(agreement: TaskAgreement, takes: readonly Demonstration[]):
   return takes.every((take) => counts(take) === answered.has(take.id));
 }
 
+/** The stretches of the takes that are compared. */
+function cutsOf(takes: readonly Demonstration[]): string {
+  const cut = takes.filter((take) => counts(take) && take.trim);
+  return cut
+    .map((take) => `${take.id} ${take.trim?.from_s} ${take.trim?.to_s}`)
+    .sort()
+    .join(" ");
+}
+
 const takesOf = (task: string) => demonstrations.where((take) => take.task_id === task);
 
 export function useAgreement(task: string): Compared {
   const takes = takesOf(task);
   const key = takes.filter(counts).map((take) => take.id);
+  const cuts = cutsOf(takes);
   const load = useLoad(
     async () => {
-      const answer = await getAgreement(task);
+      const agreement = await getAgreement(task);
+      const now = takesOf(task);
       // An answer that was overtaken by another take must not replace the one about it.
-      if (fits(answer, takesOf(task))) answers.value = new Map(answers.peek()).set(task, answer);
+      if (fits(agreement, now) && cutsOf(now) === cuts)
+        answers.value = new Map(answers.peek()).set(task, { agreement, cuts });
     },
-    [task, ...key.sort()].join(" "),
+    [task, cuts, ...key.sort()].join(" "),
   );
   const answer = answers.value.get(task);
-  return { agreement: answer && fits(answer, takes) ? answer : null, load };
+  const holds = answer && answer.cuts === cuts && fits(answer.agreement, takes);
+  return { agreement: holds ? answer.agreement : null, load };
 }

@@ -6,9 +6,10 @@ import type { ConnectionState } from "../live/connection";
 import { JointRing } from "../live/ring-buffer";
 import { LiveSocket } from "../live/socket";
 import { inOurWords } from "../words";
+import { ArmDrag, dragRefused } from "./arm-drag";
 import { demonstrations, jobs, models, reproductions } from "./entities";
-import { keepRobot, lastKnown } from "./last-known";
 import { phoneId, phoneName } from "./phone";
+import { keepRobot, lastKnown } from "./last-known";
 import { robotId } from "./robots";
 
 export const connection = signal<ConnectionState>("lost");
@@ -83,6 +84,11 @@ export async function stop(): Promise<void> {
   await (id === "" ? stopAllRobots() : stopRobot(id));
 }
 
+/** Leads the virtual arm by its tool. */
+export const armDrag = new ArmDrag(
+  (message) => connection.peek() === "live" && (socket?.send(message) ?? false),
+);
+
 /** Says that the button is held at this moment; to be said again before 180 ms are over. Whether
  *  it could be said. */
 export function hold(reproduction: string): boolean {
@@ -118,6 +124,10 @@ function receive(message: LiveMessage): void {
       break;
     case "reproduction":
       reproductions.put(message.reproduction);
+      break;
+    case "drag_refused":
+      dragRefused.value = message;
+      armDrag.end();
       break;
   }
 }

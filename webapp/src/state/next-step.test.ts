@@ -50,6 +50,14 @@ test("the result is shown until other takes are kept", () => {
   expect(nextStep([...kept, take("d", "kept")], [model("ready", ["a", "b", "c"])]).step).toBe(
     "train",
   );
+  const cut = { from_s: 0.5, to_s: 4 };
+  const anew = [{ ...take("a", "kept"), trim: cut }, ...kept.slice(1)];
+  expect(nextStep(anew, [model("ready", ["a", "b", "c"])]).step).toBe("train");
+  const fromCut = { ...model("ready", ["a", "b", "c"]), trims: [cut, null, null] };
+  expect(nextStep(anew, [fromCut]).step).toBe("result");
+  const [one] = anew;
+  expect(nextStep([one!], [model("ready", ["a"])]).step).toBe("train");
+  expect(nextStep(kept, [fromCut]).step).toBe("train");
   expect(nextStep(kept.slice(0, 1), [model("ready", ["a"])]).step).toBe("result");
   expect(nextStep(kept, [model("failed", ["a", "b", "c"])]).step).toBe("train");
 });

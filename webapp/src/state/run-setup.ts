@@ -94,6 +94,12 @@ export async function preview(task: string, model: string): Promise<void> {
   plans.value = new Map(plans.peek()).set(task, plan);
 }
 
+/** Asks for the motion as it was taught, whatever was chosen for an earlier run. */
+export async function previewAsTaught(task: string, model: string): Promise<void> {
+  change(task, { goal: "as_taught", start: "as_taught" });
+  await preview(task, model);
+}
+
 /** Asks for the way back of a motion that was stopped and keeps it for the preview. */
 export async function previewWayBack(task: string, motion: string): Promise<void> {
   const plan = await planWayBack(motion);

@@ -46,6 +46,11 @@ describe("an answer", () => {
     expect(said(null)).toBeNull();
   });
 
+  it("keeps what a person wrote about a motion", () => {
+    const kept = { outcome: { worked: false, note: "Not found" } };
+    expect(said(kept)).toEqual(kept);
+  });
+
   it("says what the server calls the virtual robot and its gripper", () => {
     const gripper = {
       name: "GripperClose",

@@ -26,6 +26,9 @@ const CALLED: [of: string, members: string[]][] = [
 ];
 const PHONES = ["phone", "asked_by"];
 
+/** Of a member's object with this in it, everything was written by a person. */
+const OPINION = "worked";
+
 /** Changes the answer where it stands: it has just been read and nobody else has it. */
 export function sayAnswer(answer: unknown, catalogue: Catalogue): void {
   if (Array.isArray(answer)) {
@@ -34,7 +37,7 @@ export function sayAnswer(answer: unknown, catalogue: Catalogue): void {
     for (const item of answer) sayAnswer(item, catalogue);
     return;
   }
-  if (typeof answer !== "object" || answer === null) return;
+  if (typeof answer !== "object" || answer === null || OPINION in answer) return;
   const members = answer as Record<string, unknown>;
   for (const [name, value] of Object.entries(members)) {
     if (!SENTENCES.has(name)) sayAnswer(value, catalogue);

@@ -11,16 +11,21 @@ const LOADERS: Record<string, () => Promise<Record<string, string>>> = {
   it: () => import("./it").then((words) => words.it),
 };
 
-const catalogue = await load();
+let catalogue: Catalogue | null = null;
+
+/** Settles when the words are here. The app is drawn meanwhile; its first answer waits for them,
+ *  and the live socket is opened after that. */
+export const wordsLoaded: Promise<void> = load();
 
 /** Words that cannot be fetched must not keep anybody from the robot: English says it too. */
-async function load(): Promise<Catalogue | null> {
+async function load(): Promise<void> {
   try {
     const entries = await LOADERS[language]?.();
+    if (!entries) return;
     const decimalSign = new Intl.NumberFormat(locale).format(1.5).charAt(1);
-    return entries ? new Catalogue(setAll(entries, typeset), decimalSign) : null;
+    catalogue = new Catalogue(setAll(entries, typeset), decimalSign);
   } catch {
-    return null;
+    // Then everything else is still there.
   }
 }
 

@@ -1,11 +1,25 @@
-//! Forward kinematics of the ABB GoFa CRB 15000-5/0.95. The only place where
-//! radians exist.
+//! Kinematics of the ABB GoFa CRB 15000-5/0.95: forward here, its derivative and its inverse
+//! in the modules below. The only place where radians exist.
 //!
 //! The chain (all frames parallel when every joint is zero): each joint turns
 //! about one axis of a frame that stands off from the frame before it. The wrist
 //! is not spherical: axes 5 and 6 are 80 mm apart.
 
+pub mod inverse;
+mod jacobian;
+#[cfg(test)]
+mod tests;
+
+pub use jacobian::Jacobian;
+
 use crate::{JointAngles, Orientation, Pose, Position};
+
+const IDENTITY: Orientation = Orientation {
+    w: 1.0,
+    x: 0.0,
+    y: 0.0,
+    z: 0.0,
+};
 
 #[derive(Clone, Copy)]
 enum Axis {
@@ -33,12 +47,7 @@ const CHAIN: [([f64; 3], Axis); 6] = [
 /// ```
 pub fn tool0(joints: &JointAngles) -> Pose {
     let mut position = [0.0; 3];
-    let mut orientation = Orientation {
-        w: 1.0,
-        x: 0.0,
-        y: 0.0,
-        z: 0.0,
-    };
+    let mut orientation = IDENTITY;
     for (&(offset, axis), &angle_deg) in CHAIN.iter().zip(&joints.0) {
         let step = rotate(&orientation, offset);
         for (p, s) in position.iter_mut().zip(step) {
@@ -75,12 +84,7 @@ pub fn tool_point(joints: &JointAngles, tool_mm: [f64; 3]) -> Position {
 pub fn centre_line(joints: &JointAngles, tool_mm: [f64; 3]) -> [Position; 8] {
     let mut line = [Position([0.0; 3]); 8];
     let mut position = [0.0; 3];
-    let mut orientation = Orientation {
-        w: 1.0,
-        x: 0.0,
-        y: 0.0,
-        z: 0.0,
-    };
+    let mut orientation = IDENTITY;
     for (joint, (&(offset, axis), &angle_deg)) in CHAIN.iter().zip(&joints.0).enumerate() {
         let step = rotate(&orientation, offset);
         for (p, s) in position.iter_mut().zip(step) {
@@ -135,80 +139,4 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::{Matrix4, Rotation3, Vector3};
-
-    /// The same arm in standard Denavit-Hartenberg form (theta offset deg, d, a,
-    /// alpha deg): an independent description of the chain.
-    fn by_denavit_hartenberg(joints: &JointAngles) -> Matrix4<f64> {
-        let rows = [
-            (0.0, 265.0, 0.0, -90.0),
-            (-90.0, 0.0, 444.0, 0.0),
-            (0.0, 0.0, 110.0, -90.0),
-            (0.0, 470.0, 0.0, 90.0),
-            (0.0, 0.0, 80.0, -90.0),
-            (180.0, 101.0, 0.0, 0.0),
-        ];
-        let mut pose = Matrix4::identity();
-        for ((offset, d, a, alpha), q) in rows.into_iter().zip(joints.0) {
-            let theta = f64::to_radians(q + offset);
-            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), theta).to_homogeneous()
-                * Matrix4::new_translation(&Vector3::new(a, 0.0, d))
-                * Rotation3::from_axis_angle(&Vector3::x_axis(), f64::to_radians(alpha))
-                    .to_homogeneous();
-            pose *= turn;
-        }
-        pose
-    }
-
-    #[test]
-    fn euler_angles_are_those_of_nalgebra() {
-        for (roll, pitch, yaw) in [(10.0, 20.0, 30.0), (-170.0, -60.0, 95.0), (0.0, 0.0, -45.0)] {
-            let rotation = nalgebra::UnitQuaternion::from_euler_angles(
-                f64::to_radians(roll),
-                f64::to_radians(pitch),
-                f64::to_radians(yaw),
-            );
-            let found = euler_xyz_deg(&Orientation {
-                w: rotation.w,
-                x: rotation.i,
-                y: rotation.j,
-                z: rotation.k,
-            });
-            for (angle, expected) in found.into_iter().zip([roll, pitch, yaw]) {
-                assert!((angle - expected).abs() < 1e-9, "{found:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn agrees_with_the_denavit_hartenberg_form() {
-        for joints in [
-            [0.0; 6],
-            [39.6, 33.3, 26.7, 42.4, -69.6, 160.4],
-            [-170.0, 80.0, -200.0, 120.0, 90.0, -260.0],
-            [12.0, -45.0, 60.0, -81.5, -2.1, 15.0],
-        ] {
-            let joints = JointAngles(joints);
-            let pose = tool0(&joints);
-            let reference = by_denavit_hartenberg(&joints);
-            for i in 0..3 {
-                assert!((pose.position.0[i] - reference[(i, 3)]).abs() < 1e-9);
-            }
-            // Columns of the rotation: where the frame's axes point.
-            for (column, axis) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-                .into_iter()
-                .enumerate()
-            {
-                let turned = rotate(&pose.orientation, axis);
-                for i in 0..3 {
-                    assert!((turned[i] - reference[(i, column)]).abs() < 1e-12);
-                }
-            }
-        }
-    }
 }

@@ -6,7 +6,9 @@
 //! millimetres everywhere; radians exist only inside [`kinematics`].
 #![warn(missing_docs)]
 
+pub mod drag;
 pub mod filter;
+pub mod follower;
 pub mod gate;
 pub mod keep_out;
 pub mod kinematics;

@@ -71,7 +71,7 @@ impl HandScript {
 }
 
 /// What the virtual hand is to do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HandCommand {
     /// Bring the arm to the start of a script.
     Return {
@@ -87,6 +87,10 @@ pub enum HandCommand {
         /// Draws the take's variation.
         seed: u64,
     },
+    /// Lead the arm to these joint angles, and let go unless others follow within 300 ms.
+    Lead(JointAngles),
+    /// Let go of the arm that it leads.
+    LetGo,
 }
 
 /// What the virtual hand does.
@@ -99,6 +103,8 @@ pub enum HandActivity {
     Returning,
     /// It shows a motion.
     Showing,
+    /// It leads the arm where it is told.
+    Leading,
 }
 
 impl From<rws::virtual_hand::HandState> for HandActivity {
@@ -107,6 +113,7 @@ impl From<rws::virtual_hand::HandState> for HandActivity {
             rws::virtual_hand::HandState::Idle => Self::Idle,
             rws::virtual_hand::HandState::Returning => Self::Returning,
             rws::virtual_hand::HandState::Showing => Self::Showing,
+            rws::virtual_hand::HandState::Leading => Self::Leading,
         }
     }
 }

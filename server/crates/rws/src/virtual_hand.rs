@@ -1,6 +1,7 @@
 //! The virtual controller's hand. **Not part of ABB's interface**: a real robot answers 404.
 //!
-//! It is moved by scripts while lead-through is active, as a person would move the arm.
+//! It is moved by scripts while lead-through is active, as a person would move the arm, or led to
+//! joint angles that are named again and again.
 
 use crate::{Client, RwsError};
 use serde::Deserialize;
@@ -26,6 +27,8 @@ pub enum HandState {
     Returning,
     /// It shows a motion.
     Showing,
+    /// It leads the arm where it is told.
+    Leading,
 }
 
 #[derive(Deserialize)]
@@ -51,6 +54,27 @@ impl Client {
         };
         let seed = seed.to_string();
         let form = [("action", action), ("script", script), ("seed", &seed)];
+        self.post(PATH, &form).await.map(|_| ())
+    }
+
+    /// Leads the soft arm to these joint angles, deg. The hand lets go when it does not hear of
+    /// others within 300 ms.
+    ///
+    /// # Errors
+    /// [`RwsError::Refused`] while lead-through is not active or a script is shown,
+    /// [`RwsError::Missing`] on a real robot.
+    pub async fn lead_virtual_hand(&self, joints_deg: &[f64; 6]) -> Result<(), RwsError> {
+        let joints = joints_deg.map(|angle| angle.to_string()).join(",");
+        let form = [("action", "lead"), ("joints", &joints)];
+        self.post(PATH, &form).await.map(|_| ())
+    }
+
+    /// Has the virtual hand let go of an arm that it led.
+    ///
+    /// # Errors
+    /// [`RwsError::Missing`] on a real robot.
+    pub async fn release_virtual_hand(&self) -> Result<(), RwsError> {
+        let form = [("action", "let_go")];
         self.post(PATH, &form).await.map(|_| ())
     }
 

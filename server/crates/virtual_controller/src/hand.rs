@@ -1,14 +1,16 @@
-//! The virtual hand: a person who guides the arm while it is soft, by script.
+//! The virtual hand: a person who guides the arm while it is soft, by script or as somebody says.
 //!
 //! It brings the arm to the start of a script ([`Action::Return`]) or shows the script's task
 //! ([`Action::Show`]), differently from seed to seed. The scripts are in [`script`], the variation
-//! of one showing in [`take`].
+//! of one showing in [`take`]. What it does when somebody else leads it is in `lead`.
 
 mod bow;
+mod lead;
 mod reach;
 pub mod script;
 pub mod take;
 
+use lead::Lead;
 use motion::minimum_jerk;
 use motion::{JOINTS, JointAngles};
 use reach::Reach;
@@ -33,7 +35,7 @@ pub enum Action {
 /// What the hand is doing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Doing {
-    /// `idle`, `returning` or `showing`.
+    /// `idle`, `returning`, `showing` or `leading`.
     pub state: &'static str,
     /// Time since this began, s.
     pub t_s: f64,
@@ -43,6 +45,7 @@ pub struct Doing {
 #[derive(Clone, Debug, Default)]
 pub struct Hand {
     motion: Option<Motion>,
+    lead: Option<Lead>,
     t_s: f64,
     /// The other hand works the gripper: close or open it now.
     grips: Option<bool>,
@@ -63,6 +66,7 @@ impl Hand {
         let start = take.at(0.0);
         let near = from.max_abs_difference(&start) <= ENTER_WITHIN_DEG;
         self.t_s = 0.0;
+        self.lead = None;
         // A take begins with an open gripper; a showing leaves it as it is until it comes to it.
         self.grips = match action {
             Action::Return => Some(false),
@@ -87,6 +91,21 @@ impl Hand {
         });
     }
 
+    /// Leads the arm, which is at `from`, to a place; what a script did before ends.
+    pub fn lead(&mut self, to: JointAngles, from: JointAngles) {
+        if self.lead.is_none() {
+            self.let_go();
+        }
+        self.lead.get_or_insert_with(|| Lead::begin(from)).aim(to);
+    }
+
+    /// Leads the arm no longer: it comes to rest.
+    pub fn end_lead(&mut self) {
+        if let Some(lead) = &mut self.lead {
+            lead.end();
+        }
+    }
+
     /// Lets go of the arm.
     pub fn let_go(&mut self) {
         *self = Self::default();
@@ -94,6 +113,14 @@ impl Hand {
 
     /// Moves on by `step_s` and returns where the arm is then; nothing while the hand rests.
     pub fn step(&mut self, step_s: f64) -> Option<JointAngles> {
+        if let Some(lead) = &mut self.lead {
+            let at = lead.step(step_s);
+            self.t_s += step_s;
+            if lead.is_over() {
+                self.let_go();
+            }
+            return Some(at);
+        }
         let motion = self.motion.as_ref()?;
         let before_s = self.t_s;
         self.t_s += step_s;
@@ -117,6 +144,7 @@ impl Hand {
     pub fn doing(&self) -> Doing {
         Doing {
             state: match &self.motion {
+                None if self.lead.is_some() => "leading",
                 None => "idle",
                 Some(Motion { take: None, .. }) => "returning",
                 Some(_) => "showing",

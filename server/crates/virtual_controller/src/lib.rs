@@ -4,8 +4,8 @@
 //! Its state and physics ([`controller`], [`arm`], [`hand`]) know neither sockets nor clocks;
 //! [`egm_client`] and [`rws`] connect them, and [`simulation`] runs them without both. Other
 //! programs reach it through its sockets alone.
-//! Only one resource is not ABB's: `/virtual/hand`, with which a scripted hand guides the arm while
-//! lead-through is active.
+//! Only one resource is not ABB's: `/virtual/hand`, with which a hand guides the arm while
+//! lead-through is active, by script or to joint angles that somebody names again and again.
 
 pub mod arm;
 pub mod clock;

@@ -1,10 +1,13 @@
 //! Recording from the virtual arm, in every way that a recording can end.
 
-use robot::{HandScript, RobotState};
+use std::time::Duration;
 
-use super::{App, arm, by_hand, config, heard, robot_is, with_arm};
+use robot::{HandActivity, HandScript, RobotState};
+use tokio::time::timeout;
+
+use super::{App, RunningApp, arm, by_hand, config, heard, robot_is, with_arm};
 use crate::config::RobotChoice;
-use crate::recording::{HandShowing, RecordingError, RecordingRequest};
+use crate::recording::{HandShowing, Order, RecordingError, RecordingRequest};
 use crate::store::demonstrations::DemonstrationState;
 use crate::test_support::TestFolder;
 
@@ -120,4 +123,108 @@ async fn a_server_that_is_stopped_closes_the_recording() {
     assert_eq!(kept.state, DemonstrationState::Recorded);
     assert!(kept.samples > 20 && kept.note.unwrap().contains("server was stopped"));
     app.shutdown().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_recording_is_held_up_and_goes_on_only_from_the_same_place() {
+    let folder = TestFolder::new();
+    let (app, task) = with_arm(folder.path()).await;
+    let mut events = app.state.events.listen();
+    let recorder = &arm(&app).recorder;
+    recorder.set_free(true).await.unwrap();
+    hand_is_done(&app, HandScript::F1, 1).await;
+    let (begun, _) = recorder.start(by_hand(task)).await.unwrap();
+    heard(&mut events, |d| d.duration_s > 0.3).await;
+
+    let paused = recorder.order(begun.id, Order::Pause).await.unwrap();
+    let at_deg = paused.paused_at_deg.unwrap();
+    assert_eq!(
+        (paused.state, paused.pauses),
+        (DemonstrationState::Recording, 1)
+    );
+    let again = recorder.order(begun.id, Order::Pause).await.unwrap();
+    assert_eq!(again, paused, "nothing comes in while it is held up");
+    hand_is_done(&app, HandScript::F3, 7).await;
+    let elsewhere = recorder.order(begun.id, Order::Resume).await;
+    assert!(
+        matches!(elsewhere, Err(RecordingError::Elsewhere { off_deg, .. }) if off_deg > 2.0),
+        "{elsewhere:?}"
+    );
+    let open = app.state.store.demonstration(begun.id).await.unwrap();
+    assert_eq!(open, paused, "a refusal changes nothing");
+
+    hand_is_done(&app, HandScript::F1, 1).await;
+    let robot = &arm(&app).robot;
+    robot.set_signal("GripperClose", true).await.unwrap();
+    let going_on = recorder.order(begun.id, Order::Resume).await.unwrap();
+    assert_eq!(going_on.paused_at_deg, None);
+    heard(&mut events, |d| d.samples > paused.samples + 10).await;
+    let ended = recorder.stop(begun.id).await.unwrap();
+    let store = &app.state.store;
+    let samples = store.samples(begun.id).await.unwrap();
+    let steps_us = samples.windows(2).map(|pair| pair[1].at_us - pair[0].at_us);
+    assert!(
+        steps_us.clone().all(|step| (1..200_000).contains(&step)),
+        "the pause is closed up"
+    );
+    assert!(
+        samples.iter().all(|sample| {
+            let off = sample
+                .joints_deg
+                .iter()
+                .zip(&at_deg)
+                .map(|(a, b)| (a - b).abs());
+            off.fold(0.0, f64::max) < 2.1
+        }),
+        "nothing of the way to the other place is recorded"
+    );
+    let pauses = store.pauses(begun.id).await.unwrap();
+    assert!(pauses[0].length_us.unwrap() > 500_000, "{pauses:?}");
+    let signals = store.signals(begun.id).await.unwrap();
+    let worked: Vec<_> = signals.iter().filter(|s| s.at_us > 0).collect();
+    assert_eq!(worked.len(), 1, "{signals:?}");
+    assert_eq!((worked[0].at_us, worked[0].on), (pauses[0].at_us, true));
+    assert_eq!((ended.pauses, ended.paused_at_deg), (1, None));
+    app.shutdown().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_recording_that_ends_in_a_pause_is_whole_and_the_hand_can_not_be_held_up() {
+    let folder = TestFolder::new();
+    let (app, task) = with_arm(folder.path()).await;
+    let mut events = app.state.events.listen();
+    let recorder = &arm(&app).recorder;
+    let (begun, _) = recorder.start(by_hand(task)).await.unwrap();
+    heard(&mut events, |d| d.samples > 20).await;
+    let paused = recorder.order(begun.id, Order::Pause).await.unwrap();
+    let ended = recorder.stop(begun.id).await.unwrap();
+    assert_eq!((ended.samples, ended.paused_at_deg), (paused.samples, None));
+    let pauses = app.state.store.pauses(begun.id).await.unwrap();
+    assert_eq!(pauses[0].length_us, None);
+    let over = recorder.order(begun.id, Order::Resume).await;
+    assert!(matches!(over, Err(RecordingError::NotOpen)));
+
+    robot_is(&app, RobotState::Idle).await;
+    let showing = RecordingRequest {
+        hand: Some(HAND),
+        ..by_hand(task)
+    };
+    recorder.start(showing).await.unwrap();
+    let refused = recorder.order(showing.id, Order::Pause).await;
+    assert!(matches!(refused, Err(RecordingError::HandGoesOn)));
+    recorder.stop(showing.id).await.unwrap();
+    app.shutdown().await;
+}
+
+/// Has the virtual hand bring the arm to the start of a script and waits until it is there.
+async fn hand_is_done(app: &RunningApp, script: HandScript, seed: u64) {
+    let recorder = &arm(app).recorder;
+    let hand = HandShowing { script, seed };
+    recorder.hand_returns(hand).await.unwrap();
+    let mut view = arm(app).robot.view();
+    let idle = view.wait_for(|view| view.hand == Some(HandActivity::Idle));
+    timeout(Duration::from_secs(30), idle)
+        .await
+        .unwrap()
+        .unwrap();
 }

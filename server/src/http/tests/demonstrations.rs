@@ -32,6 +32,14 @@ async fn a_file_becomes_a_take_that_can_be_kept_and_discarded() {
             .ok(200);
         assert_eq!(judged["state"], state);
     }
+    let back = api.post(&format!("{path}/undecide"), Value::Null).await;
+    assert_eq!(back.ok(200)["state"], "recorded");
+    for verb in ["pause", "resume"] {
+        api.post(&format!("{path}/{verb}"), Value::Null)
+            .await
+            .problem(409, "wrong_state");
+    }
+    api.post(&format!("{path}/keep"), Value::Null).await.ok(200);
     let stopped = api.post(&format!("{path}/stop"), Value::Null).await.ok(200);
     assert_eq!(stopped["state"], "kept", "what has ended stays as it is");
     let listed = api
@@ -157,7 +165,7 @@ async fn what_is_not_there_is_not_found() {
         let path = format!("/api/v1/demonstrations/{nobody}{what}");
         api.get(&path).await.problem(404, "not_found");
     }
-    for verb in ["stop", "keep", "discard"] {
+    for verb in ["stop", "pause", "resume", "keep", "discard", "undecide"] {
         let path = format!("/api/v1/demonstrations/{nobody}/{verb}");
         api.post(&path, Value::Null).await.problem(404, "not_found");
     }

@@ -9,9 +9,11 @@ mod join;
 mod learning;
 mod live;
 mod people;
+mod pictures;
 mod positions;
 mod robot;
 mod tasks;
+mod trims;
 
 use std::net::SocketAddr;
 use std::sync::Arc;

@@ -18,7 +18,7 @@ async fn motion(api: &Api, task: &str, running: bool) -> String {
     let key = id.to_string();
     let training = NewTraining {
         task_id,
-        demonstrations: &[],
+        sources: &[],
         method: "paper",
         seed: 0,
         unique_key: &key,

@@ -4,7 +4,7 @@ use axum::body::Body;
 use axum::http::header;
 use serde_json::json;
 
-use super::{Api, request};
+use super::{Api, request, swing};
 
 #[tokio::test]
 async fn a_task_is_made_renamed_and_put_out_of_sight() {
@@ -31,6 +31,29 @@ async fn a_task_is_made_renamed_and_put_out_of_sight() {
         .await
         .problem(404, "not_found");
     api.get(&format!("{path}/models"))
+        .await
+        .problem(404, "not_found");
+}
+
+#[tokio::test]
+async fn a_deleted_task_comes_back_with_everything_that_belongs_to_it() {
+    let api = Api::local().await;
+    let task = api.task().await;
+    let take = api.kept(&task, swing(2.0, 1.0)).await;
+    let path = format!("/api/v1/tasks/{task}");
+    let before = api.get(&path).await.ok(200);
+    assert_eq!(api.json("DELETE", &path, json!(null)).await.status, 204);
+    for _ in 0..2 {
+        let restored = api.post(&format!("{path}/restore"), json!(null)).await;
+        assert_eq!(restored.ok(200), before);
+    }
+    let takes = api.get(&format!("{path}/demonstrations")).await.ok(200);
+    assert_eq!(
+        (&takes[0]["id"], &takes[0]["state"]),
+        (&json!(take), &json!("kept"))
+    );
+    let nobody = "/api/v1/tasks/0190b5a2-0000-7000-8000-000000000009/restore";
+    api.post(nobody, json!(null))
         .await
         .problem(404, "not_found");
 }

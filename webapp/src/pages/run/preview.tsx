@@ -1,9 +1,10 @@
 // The planned motion before it happens: checked, drawn, and started only from here.
-import { useComputed } from "@preact/signals";
+import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
 import { startReproduction } from "../../api/endpoints";
 import { newId } from "../../api/ids";
 import type { Plan } from "../../api/types";
+import { PlanPicture } from "../../arm3d/plan-picture";
 import { Button, ButtonLink } from "../../components/button";
 import { Figures } from "../../components/figures";
 import { Notice, ProblemNotice } from "../../components/notice";
@@ -48,6 +49,7 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
     () => [{ label: t.run.planned, joints: plan.joints_deg, look: "strong" }],
     [plan],
   );
+  const time = useSignal(0);
   const problem = start.problem ?? again.problem;
   return (
     <Page
@@ -72,9 +74,6 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
       }
     >
       {problem && <ProblemNotice problem={problem} onRetry={again.start} />}
-      <Notice tone="good" icon="check" title={t.run.verdict}>
-        <p>{plan.verdict}</p>
-      </Notice>
       {plan.warnings.length > 0 && (
         <Notice tone="soft" icon="alert" title={t.run.warnings}>
           {plan.warnings.map((warning) => (
@@ -82,7 +81,11 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
           ))}
         </Notice>
       )}
+      <PlanPicture plan={plan} time={time} />
       <RunModeChoice task={task} />
+      <Notice tone="good" icon="check" title={t.run.verdict}>
+        <p>{plan.verdict}</p>
+      </Notice>
       <Figures
         list={[
           [t.run.duration, duration(plan.duration_s)],
@@ -98,6 +101,7 @@ function Preview({ task, plan }: { task: string; plan: Plan }) {
         timesS={plan.t_s}
         layers={layers}
         signalsS={plan.signals.map((signal) => signal.at_s)}
+        cursor={time}
         {...(plan.approach_s > 0 ? { markS: plan.approach_s } : {})}
       />
       <SignalTimes title={t.signals.planned} marks={plan.signals} />

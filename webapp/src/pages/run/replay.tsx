@@ -1,57 +1,23 @@
-// The record played back: a slider over its time, and the joints at that moment as numbers.
+// The record played back: the arm at a time of the motion, and its joints at that moment as numbers.
 import type { Signal } from "@preact/signals";
-import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
 import type { Flight } from "../../api/types";
-import { Button } from "../../components/button";
-import { degrees, duration } from "../../format/numbers";
+import { ReplaySlider } from "../../components/replay-slider";
+import { FlightPicture } from "../../arm3d/flight-picture";
+import { degrees } from "../../format/numbers";
 import { pointAt } from "../../plots/extremes";
 import { t } from "../../texts";
 
 export function Replay({ flight, time }: { flight: Flight; time: Signal<number> }) {
-  const playing = useSignal(false);
-  const endS = flight.end_s;
-  useEffect(() => {
-    if (!playing.value) return;
-    let last = performance.now();
-    let frame = requestAnimationFrame(function advance(now) {
-      time.value = Math.min(endS, time.peek() + Math.max(0, now - last) / 1000);
-      last = now;
-      if (time.peek() < endS) frame = requestAnimationFrame(advance);
-      else playing.value = false;
-    });
-    return () => cancelAnimationFrame(frame);
-  }, [playing.value, endS]);
-  const toggle = () => {
-    if (!playing.peek() && time.peek() >= endS) time.value = 0;
-    playing.value = !playing.peek();
-  };
   const point = pointAt(flight.t_s, time.value);
   const phase = flight.phase[point];
-  const words = t.flight.at(duration(time.value), duration(endS));
   return (
-    <section class="card replay">
+    <section class="replay">
       <h2>{t.flight.replay}</h2>
-      <p class="replay-time">
-        <strong>{words}</strong>
-        {phase && <span>{t.flight.phases[phase] ?? phase}</span>}
-      </p>
-      <input
-        type="range"
-        min="0"
-        max={endS}
-        step="any"
-        value={time.value}
-        aria-label={t.flight.slider}
-        aria-valuetext={words}
-        onInput={(event) => {
-          playing.value = false;
-          time.value = event.currentTarget.valueAsNumber;
-        }}
-      />
-      <Button icon={playing.value ? "pause" : "play"} onPress={toggle}>
-        {playing.value ? t.flight.pause : t.flight.play}
-      </Button>
+      <FlightPicture flight={flight} time={time}>
+        <ReplaySlider time={time} endS={flight.end_s}>
+          {phase && <span>{t.flight.phases[phase] ?? phase}</span>}
+        </ReplaySlider>
+      </FlightPicture>
       <JointsAt flight={flight} point={point} />
     </section>
   );

@@ -4,6 +4,7 @@ import { LoadNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { OpenWork } from "../../components/open-work";
 import { RowLink } from "../../components/row-link";
+import { TaskPicture } from "../../components/task-picture";
 import { loadOverview, readyModel, tasks } from "../../state/entities";
 import { useLoad } from "../../state/hooks";
 import { t } from "../../texts";
@@ -34,6 +35,7 @@ export function RunPage() {
             to={{ page: "setup", task: task.id }}
             label={t.run.open(task.name)}
           >
+            <TaskPicture task={task} />
             <strong class="row-name">{task.name}</strong>
           </RowLink>
         ))}

@@ -1,14 +1,17 @@
-// What a training found: a sentence, the learned motion with its spread, and all figures folded.
+// What a training found: a light and a sentence, the learned motion with its spread, and all
+// figures folded.
 import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { getCurve } from "../../api/endpoints";
 import type { Curve, Model } from "../../api/types";
 import { Figures } from "../../components/figures";
+import { Icon } from "../../components/icon";
 import { LoadNotice, Notice } from "../../components/notice";
 import { JointPanels, type Layer } from "../../plots/joint-panels";
 import { useLoad } from "../../state/hooks";
 import { t } from "../../texts";
 import { modelFigures } from "./model-figures";
+import { LIGHTS, verdictOf } from "./verdict";
 
 export function ModelResult({ model }: { model: Model }) {
   const curve = useSignal<Curve | null>(null);
@@ -20,30 +23,14 @@ export function ModelResult({ model }: { model: Model }) {
     () => (shown ? [{ label: t.plot.degrees, joints: shown.mean_deg, look: "strong" }] : []),
     [shown],
   );
-  const far = (model.report?.fidelity?.missed_over_mutual ?? 0) > 1;
   return (
     <>
-      {model.summary && (
-        <Notice tone={far ? "soft" : "good"} icon={far ? "alert" : "check"}>
-          <p>{model.summary}</p>
-        </Notice>
-      )}
-      {model.report?.agreement && (
-        <Notice
-          tone={model.report.agreement.enough ? "good" : "soft"}
-          icon={model.report.agreement.enough ? "check" : "info"}
-        >
-          <p>{model.report.agreement.advice}</p>
-        </Notice>
-      )}
-      {model.report?.notes?.map((note) => (
-        <Notice key={note} tone="plain" icon="info">
-          <p>{note}</p>
-        </Notice>
-      ))}
+      <TrafficLight model={model} />
+      <Remarks model={model} />
       {model.report && (
         <details class="folded">
           <summary>{t.teach.allFigures}</summary>
+          {model.summary && <p>{model.summary}</p>}
           <Figures list={modelFigures(model, model.report)} />
         </details>
       )}
@@ -60,5 +47,34 @@ export function ModelResult({ model }: { model: Model }) {
         </>
       )}
     </>
+  );
+}
+
+/** Whether the motion can be used: a sign, a word and a sentence, and a colour beside them. */
+function TrafficLight({ model }: { model: Model }) {
+  const { light, word, sentence } = verdictOf(model);
+  const { tone, icon } = LIGHTS[light];
+  return (
+    <section class={`verdict tone-${tone}`}>
+      <Icon name={icon} />
+      <div>
+        <strong>{word}</strong>
+        <p>{sentence}</p>
+      </div>
+    </section>
+  );
+}
+
+/** What the training has to say about the takes. */
+function Remarks({ model: { report } }: { model: Model }) {
+  const remarks = [...(report?.notes ?? [])];
+  if (report?.agreement && !report.agreement.enough) remarks.unshift(report.agreement.advice);
+  if (remarks.length === 0) return null;
+  return (
+    <Notice tone="plain" icon="info" title={t.teaching.verdict.remarks}>
+      {remarks.map((remark) => (
+        <p key={remark}>{remark}</p>
+      ))}
+    </Notice>
   );
 }

@@ -1,5 +1,5 @@
 // A training while it runs, and its result.
-import { cancelJob, trainModel } from "../../api/endpoints";
+import { cancelJob } from "../../api/endpoints";
 import type { Model } from "../../api/types";
 import { Button, ButtonLink } from "../../components/button";
 import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
@@ -7,9 +7,11 @@ import { Page } from "../../components/page";
 import { Progress } from "../../components/progress";
 import { jobs, loadModel, models } from "../../state/entities";
 import { useAction, useLoad } from "../../state/hooks";
-import { go } from "../../state/navigation";
+import { train, useRunAsTaught } from "../../state/training";
 import { t } from "../../texts";
 import { ModelResult } from "./model-result";
+import { RefusedRun, RunButton } from "./run-button";
+import { verdictOf } from "./verdict";
 
 export function ModelPage({ task, model: id }: { task: string; model: string }) {
   const load = useLoad(() => loadModel(id), id);
@@ -57,16 +59,27 @@ function Training({ model }: { model: Model }) {
 }
 
 function Ready({ model }: { model: Model }) {
+  const task = model.task_id;
+  const run = useRunAsTaught(task, model.id);
+  const usable = verdictOf(model).light !== "red";
   return (
     <Page
       title={t.teach.trained}
-      back={{ page: "task", task: model.task_id }}
+      back={{ page: "task", task }}
       actions={
-        <ButtonLink to={{ page: "setup", task: model.task_id }} look="primary" icon="play">
-          {t.teach.runIt}
-        </ButtonLink>
+        <>
+          <ButtonLink
+            to={{ page: "record", task }}
+            look={usable ? "secondary" : "primary"}
+            icon="record"
+          >
+            {t.teach.recordAnother}
+          </ButtonLink>
+          <RunButton run={run} look={usable ? "primary" : "secondary"} />
+        </>
       }
     >
+      {run.problem && <RefusedRun task={task} problem={run.problem} />}
       <ModelResult model={model} />
     </Page>
   );
@@ -74,12 +87,7 @@ function Ready({ model }: { model: Model }) {
 
 function Ended({ model }: { model: Model }) {
   const task = model.task_id;
-  const again = useAction(async () => {
-    const answer = await trainModel(task);
-    jobs.put(answer.job);
-    models.put(answer.model);
-    go({ page: "model", task, model: answer.model.id }, true);
-  });
+  const again = useAction(() => train(task, true));
   const failed = model.state === "failed";
   return (
     <Page

@@ -1,15 +1,18 @@
 // The rarer things of a task: a file as a take, moving the arm by hand, renaming, deleting.
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { deleteTask, renameTask, uploadDemonstration } from "../../api/endpoints";
+import { renameTask, uploadDemonstration } from "../../api/endpoints";
 import { Button } from "../../components/button";
 import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { SoftArm } from "../../components/soft-arm";
+import type { Task } from "../../api/types";
+import { deleteTask } from "../../state/decisions";
 import { demonstrations, loadTask, tasks } from "../../state/entities";
 import { useAction, useLoad } from "../../state/hooks";
 import { go } from "../../state/navigation";
 import { t } from "../../texts";
+import { TaskPhoto } from "./task-photo";
 
 export function MorePage({ task }: { task: string }) {
   const load = useLoad(() => loadTask(task), task);
@@ -19,8 +22,9 @@ export function MorePage({ task }: { task: string }) {
       <LoadNotice load={load} empty={known === undefined} />
       <SoftArm />
       <Upload task={task} />
+      {known && <TaskPhoto task={known} />}
       {known && <Rename task={task} name={known.name} />}
-      <Remove task={task} />
+      {known && <Remove task={known} />}
     </Page>
   );
 }
@@ -95,11 +99,10 @@ function Rename({ task, name }: { task: string; name: string }) {
   );
 }
 
-function Remove({ task }: { task: string }) {
+function Remove({ task }: { task: Task }) {
   const asking = useSignal(false);
   const remove = useAction(async () => {
     await deleteTask(task);
-    tasks.forget(task);
     go({ page: "teach" }, true);
   });
   return (

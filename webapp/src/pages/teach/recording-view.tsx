@@ -1,12 +1,13 @@
 // A recording in progress: impossible to overlook, with the time and what is being recorded.
 import { useRef } from "preact/hooks";
+import { LiveArm } from "../../arm3d/live-arm";
 import type { Demonstration } from "../../api/types";
 import { OfflineNotice } from "../../components/offline-notice";
 import { Icon } from "../../components/icon";
 import { SignalButtons } from "../../components/signal-buttons";
 import { duration } from "../../format/numbers";
 import { LiveTraces } from "../../plots/live-traces";
-import { connection, nowMs } from "../../state/live";
+import { connection, isVirtual, nowMs } from "../../state/live";
 import { t } from "../../texts";
 
 export function RecordingView({ take }: { take: Demonstration }) {
@@ -22,17 +23,21 @@ export function RecordingView({ take }: { take: Demonstration }) {
     );
   }
   const live = connection.value === "live";
+  // Who leads by the picture needs the room for it.
+  const byPicture = isVirtual.value && take.source === "hand_guiding";
+  const look = `recording ${live ? "recording-on" : "recording-old"}`;
   return (
     <>
       <OfflineNotice />
-      <div class={live ? "recording recording-on" : "recording recording-old"}>
+      <div class={byPicture ? `${look} recording-slim` : look}>
         <p class="recording-state" role="status">
           <Icon name="record" />
           <strong>{t.teach.recordingNow}</strong>
         </p>
         <Elapsed take={take} />
-        <p>{take.source === "virtual_hand" ? t.teach.leadVirtual : t.teach.lead}</p>
+        {!byPicture && <p>{take.source === "virtual_hand" ? t.teach.leadVirtual : t.teach.lead}</p>}
       </div>
+      <LiveArm fill={byPicture} />
       <SignalButtons />
       <LiveTraces />
     </>

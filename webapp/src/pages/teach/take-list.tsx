@@ -6,6 +6,11 @@ import { duration } from "../../format/numbers";
 import { TakeSparkline } from "../../plots/sparkline";
 import { t } from "../../texts";
 
+/** How long the stretch is that is used. */
+export function usedS({ trim, duration_s }: Demonstration): number {
+  return trim ? trim.to_s - trim.from_s : duration_s;
+}
+
 export const TAKE_LOOKS: Record<DemonstrationState, { icon: IconName; tone: string }> = {
   preparing: { icon: "clock", tone: "moving" },
   recording: { icon: "record", tone: "bad" },
@@ -65,7 +70,7 @@ function TakeRow({ task, take, agreement }: TakeProps) {
   const closed = take.state !== "preparing" && take.state !== "recording";
   const compared = agreement?.takes.find((one) => one.id === take.id);
   const words = compared?.words ?? undefined;
-  const length = duration(take.duration_s);
+  const length = duration(usedS(take));
   return (
     <RowLink
       to={{ page: "take", task, take: take.id }}
@@ -73,7 +78,7 @@ function TakeRow({ task, take, agreement }: TakeProps) {
         .filter(Boolean)
         .join(", ")}
     >
-      {closed && <TakeSparkline take={take.id} />}
+      {closed && <TakeSparkline take={take.id} trim={take.trim} />}
       <span class="row-name">
         <strong>{t.teach.take(take.take)}</strong>{" "}
         <span class="row-states">

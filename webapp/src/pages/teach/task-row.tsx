@@ -2,6 +2,7 @@
 import type { Task } from "../../api/types";
 import { Icon } from "../../components/icon";
 import { RowLink } from "../../components/row-link";
+import { TaskPicture } from "../../components/task-picture";
 import { demonstrations, readyModel } from "../../state/entities";
 import { t } from "../../texts";
 import { TAKE_LOOKS } from "./take-list";
@@ -18,6 +19,7 @@ export function TaskRow({ task }: { task: Task }) {
       : t.teach.keptCount(kept);
   return (
     <RowLink to={{ page: "task", task: task.id }} label={`${t.teach.open(task.name)}, ${state}`}>
+      <TaskPicture task={task} />
       <span class="row-name">
         <strong>{task.name}</strong>{" "}
         {waiting ? (

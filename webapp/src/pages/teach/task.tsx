@@ -2,16 +2,19 @@
 import { useSignal } from "@preact/signals";
 import type { Demonstration, Model, TaskAgreement } from "../../api/types";
 import { Button, ButtonLink } from "../../components/button";
-import { LoadNotice, ProblemNotice } from "../../components/notice";
+import { LoadNotice, Notice, ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { RowLink } from "../../components/row-link";
-import { trainModel } from "../../api/endpoints";
+import { TaskPicture } from "../../components/task-picture";
+import { UndoNotice } from "../../components/undo-notice";
 import { useAgreement } from "../../state/agreement";
-import { demonstrations, jobs, loadAllOf, models, readyModel, tasks } from "../../state/entities";
+import { lastDecision, takeBack } from "../../state/decisions";
+import { demonstrations, loadAllOf, models, readyModel, tasks } from "../../state/entities";
 import { useAction, useLoad, type Action } from "../../state/hooks";
-import { go } from "../../state/navigation";
-import { ENOUGH_TAKES, nextStep, type NextStep } from "../../state/next-step";
+import { ENOUGH_TAKES, isFrom, nextStep, type NextStep } from "../../state/next-step";
+import { train, useRunAsTaught } from "../../state/training";
 import { t } from "../../texts";
+import { RefusedRun, RunButton } from "./run-button";
 import { TakeList } from "./take-list";
 import { TakesAdvice } from "./takes-advice";
 
@@ -21,12 +24,9 @@ export function TaskPage({ task }: { task: string }) {
   const trained = models.where((model) => model.task_id === task);
   const kept = takes.filter((take) => take.state === "kept").length;
   const compared = useAgreement(task);
-  const train = useAction(async () => {
-    const answer = await trainModel(task);
-    jobs.put(answer.job);
-    models.put(answer.model);
-    go({ page: "model", task, model: answer.model.id });
-  });
+  const training = useAction(() => train(task));
+  const ready = readyModel(task);
+  const run = useRunAsTaught(task, ready?.id ?? "");
   const known = tasks.get(task);
   // No next step is put forward before all takes are known: it could be the wrong one.
   const complete = useSignal(false);
@@ -38,19 +38,24 @@ export function TaskPage({ task }: { task: string }) {
       back={{ page: "teach" }}
       actions={
         complete.value ? (
-          <Actions {...{ task, step, kept, train, agreement: compared.agreement }} />
+          <Actions {...{ task, step, kept, train: training, run, agreement: compared.agreement }} />
         ) : (
           <div class="later" />
         )
       }
     >
       <LoadNotice load={load} empty={known === undefined} />
-      {train.problem && <ProblemNotice problem={train.problem} />}
+      {training.problem && <ProblemNotice problem={training.problem} />}
+      {run.problem && <RefusedRun task={task} problem={run.problem} />}
+      <LastDecision task={task} />
       {known && (
         <>
-          <Result task={task} model={readyModel(task)} />
+          <Result task={task} model={ready} isCurrent={isCurrent(ready, takes, step)} />
           <h2>{t.teach.takes}</h2>
-          <Kept takes={takes} kept={kept} />
+          <div class="picture-line">
+            <TaskPicture task={known} />
+            <Kept takes={takes} kept={kept} />
+          </div>
           {takes.length > 0 && <TakesAdvice compared={compared} />}
           <TakeList task={task} takes={takes} agreement={compared.agreement} />
           <ButtonLink to={{ page: "more", task }} look="quiet" icon="dots">
@@ -62,17 +67,44 @@ export function TaskPage({ task }: { task: string }) {
   );
 }
 
-function Result({ task, model }: { task: string; model: Model | undefined }) {
+/** Whether nothing was cut or chosen otherwise since the training; what is under way comes first. */
+function isCurrent(model: Model | undefined, takes: Demonstration[], { step }: NextStep): boolean {
+  const kept = takes.filter((take) => take.state === "kept");
+  return model === undefined || (step !== "train" && step !== "record") || isFrom(model, kept);
+}
+
+/** What was decided last, with the way back. */
+function LastDecision({ task }: { task: string }) {
+  const last = lastDecision.value;
+  if (last?.take.task_id !== task) return null;
+  const words = last.take.state === "kept" ? t.teaching.undo.kept : t.teaching.undo.discarded;
+  return <UndoNotice words={words(last.take.take)} undo={() => takeBack(last)} />;
+}
+
+interface ResultProps {
+  task: string;
+  model: Model | undefined;
+  isCurrent: boolean;
+}
+
+function Result({ task, model, isCurrent }: ResultProps) {
   if (!model) return null;
   return (
-    <ul class="rows">
-      <RowLink to={{ page: "model", task, model: model.id }}>
-        <span class="row-name">
-          <strong>{t.teach.result}</strong>
-          <span>{t.teach.version(model.version)}</span>
-        </span>
-      </RowLink>
-    </ul>
+    <>
+      <ul class="rows">
+        <RowLink to={{ page: "model", task, model: model.id }}>
+          <span class="row-name">
+            <strong>{t.teach.result}</strong>
+            <span>{t.teach.version(model.version)}</span>
+          </span>
+        </RowLink>
+      </ul>
+      {!isCurrent && (
+        <Notice tone="soft" icon="train">
+          <p>{t.teaching.trim.changedSince}</p>
+        </Notice>
+      )}
+    </>
   );
 }
 
@@ -86,10 +118,11 @@ interface ActionsProps {
   step: NextStep;
   kept: number;
   train: Action;
+  run: Action;
   agreement: TaskAgreement | null;
 }
 
-function Actions({ task, step, kept, train, agreement }: ActionsProps) {
+function Actions({ task, step, kept, train, run, agreement }: ActionsProps) {
   // Only the looks follow the advice: a button must not move away under a finger.
   const open = agreement?.enough === false;
   // Takes that can't be trained together don't get better by one more.
@@ -117,9 +150,7 @@ function Actions({ task, step, kept, train, agreement }: ActionsProps) {
       return (
         <>
           <RecordLink task={task} look="secondary" another />
-          <ButtonLink to={{ page: "setup", task }} look="primary" icon="play">
-            {t.teach.runIt}
-          </ButtonLink>
+          <RunButton run={run} look="primary" />
         </>
       );
     case "train":

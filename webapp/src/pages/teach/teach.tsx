@@ -3,6 +3,8 @@ import { ButtonLink } from "../../components/button";
 import { LoadNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { OpenWork } from "../../components/open-work";
+import { UndoNotice } from "../../components/undo-notice";
+import { lastDeleted, restoreTask } from "../../state/decisions";
 import { PhoneCorner } from "../../components/phone-corner";
 import { loadOverview, tasks } from "../../state/entities";
 import { useLoad } from "../../state/hooks";
@@ -11,6 +13,7 @@ import { TaskRow } from "./task-row";
 
 export function TeachPage() {
   const load = useLoad(loadOverview, "tasks");
+  const deleted = lastDeleted.value;
   const list = tasks.where(() => true);
   return (
     <Page
@@ -22,6 +25,15 @@ export function TeachPage() {
         </ButtonLink>
       }
     >
+      {deleted && (
+        <UndoNotice
+          words={t.teaching.undo.deleted(deleted.name)}
+          undo={async () => {
+            await restoreTask(deleted);
+            load.again();
+          }}
+        />
+      )}
       <OpenWork />
       <LoadNotice load={load} empty={list.length === 0} />
       {list.length > 0 && <p>{t.teach.choose}</p>}

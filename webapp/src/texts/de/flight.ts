@@ -18,7 +18,7 @@ export const flight: Texts["flight"] = {
   joint: "Achse",
   planned: "Soll",
   measured: "Ist",
-  off: "Abweichung",
+  off: "Abw.",
   errorPlot: "Abweichung vom Plan, in Grad",
   errorSummary: (joint: number, most: string) =>
     `Abweichung vom Plan: Achse ${joint} am meisten, höchstens ${most}.`,

@@ -1,6 +1,7 @@
 // Every German word the app shows, grouped by screen, with the formal Sie. The ß stands as in
 // Germany; typography.ts writes ss for phones of Switzerland.
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -13,8 +14,10 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const de: Texts = {
+  arm3d,
   control,
   dashboard,
   feedback,
@@ -28,6 +31,7 @@ export const de: Texts = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Bereiche",

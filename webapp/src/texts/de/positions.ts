@@ -12,7 +12,7 @@ export const positions: Texts["positions"] = {
   chooseFirst: "Wählen Sie zuerst eine gespeicherte Position.",
   save: "Speichern, wo der Arm jetzt steht",
   saving: "Wird gespeichert…",
-  newName: (number: string) => `Stelle ${number}`,
+  newName: (number: string) => `Position ${number}`,
   saved: (name: string) => `Gespeichert als ${name}. Sie können ihr einen besseren Namen geben.`,
   angles: (angles: string) => `Achsen bei ${angles}`,
   edit: (name: string) => `${name} ändern`,

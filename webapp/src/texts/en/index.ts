@@ -1,31 +1,35 @@
 // Every English word the app shows, grouped by screen. No sentence is put together elsewhere.
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
-import { phones } from "./phones";
 import { positions } from "./positions";
+import { phones } from "./phones";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const en = {
+  arm3d,
   control,
   dashboard,
   feedback,
   flight,
   hold,
   language,
-  phones,
   positions,
+  phones,
   robot,
   robots,
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Sections",

@@ -2,7 +2,7 @@
 import type { Texts } from "..";
 
 export const feedback: Texts["feedback"] = {
-  question: "Le travail est-il fait ?",
+  question: "Est-ce réussi ?",
   worked: "C'est réussi",
   failed: "C'est raté",
   thanks: "C'est noté. Vous pouvez le changer.",
@@ -13,7 +13,6 @@ export const feedback: Texts["feedback"] = {
   saving: "Enregistrement…",
 
   recent: "Dernières exécutions",
-  openRun: (when: string, state: string) => `Exécution du ${when} : ${state}`,
 
   invite: "Cinq questions courtes",
   inviteDetail: "Que pensez-vous du travail avec le bras ? Aucun nom n'est gardé.",
@@ -33,7 +32,7 @@ export const feedback: Texts["feedback"] = {
   },
   statements: {
     learned: "Le bras a appris le bon mouvement.",
-    safe: "En travaillant avec le bras, je me suis senti en sécurité.",
+    safe: "Travailler avec le bras m'a paru sûr.",
     accurate: "Le bras est arrivé exactement au but.",
     simple: "Il était facile d'apprendre un mouvement au bras.",
     enjoyable: "Il était amusant d'apprendre un mouvement au bras.",

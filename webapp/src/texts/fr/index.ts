@@ -1,6 +1,7 @@
 // Every French word the app shows, grouped by screen, with the formal vous. The spaces before : ; ? !
 // are plain here; typography.ts makes them such that no line ends there.
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -13,8 +14,10 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const fr: Texts = {
+  arm3d,
   control,
   dashboard,
   feedback,
@@ -28,6 +31,7 @@ export const fr: Texts = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Rubriques",

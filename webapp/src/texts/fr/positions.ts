@@ -12,7 +12,7 @@ export const positions: Texts["positions"] = {
   chooseFirst: "Choisissez d'abord une position enregistrée.",
   save: "Enregistrer l'endroit où est le bras",
   saving: "Enregistrement…",
-  newName: (number: string) => `Endroit ${number}`,
+  newName: (number: string) => `Position ${number}`,
   saved: (name: string) => `Enregistré sous ${name}. Vous pouvez lui donner un meilleur nom.`,
   angles: (angles: string) => `Axes à ${angles}`,
   edit: (name: string) => `Modifier ${name}`,

@@ -13,7 +13,6 @@ export const feedback: Texts["feedback"] = {
   saving: "Salvataggio…",
 
   recent: "Ultime esecuzioni",
-  openRun: (when: string, state: string) => `Esecuzione del ${when}: ${state}`,
 
   invite: "Cinque domande brevi",
   inviteDetail: "Che cosa pensa del lavoro con il braccio? Non si salvano nomi.",
@@ -33,7 +32,7 @@ export const feedback: Texts["feedback"] = {
   },
   statements: {
     learned: "Il braccio ha imparato il movimento giusto.",
-    safe: "Lavorando con il braccio mi sono sentito sicuro.",
+    safe: "Lavorare con il braccio mi è sembrato sicuro.",
     accurate: "Il braccio è arrivato esattamente alla meta.",
     simple: "È stato facile insegnare un movimento al braccio.",
     enjoyable: "È stato divertente insegnare un movimento al braccio.",

@@ -1,6 +1,7 @@
 // Every Italian word the app shows, grouped by screen, with the formal Lei: instructions in the
 // form of the Lei, buttons short and without a person ("Registra", "Conserva").
 import type { Texts } from "..";
+import { arm3d } from "./arm3d";
 import { control, hold } from "./control";
 import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
@@ -13,8 +14,10 @@ import { robots } from "./robots";
 import { run } from "./run";
 import { signals } from "./signals";
 import { teach } from "./teach";
+import { teaching } from "./teaching";
 
 export const it: Texts = {
+  arm3d,
   control,
   dashboard,
   feedback,
@@ -28,6 +31,7 @@ export const it: Texts = {
   run,
   signals,
   teach,
+  teaching,
   app: {
     name: "TEAM",
     sections: "Sezioni",

@@ -12,7 +12,7 @@ export const positions: Texts["positions"] = {
   chooseFirst: "Scelga prima una posizione salvata.",
   save: "Salva dove si trova il braccio",
   saving: "Salvataggio…",
-  newName: (number: string) => `Punto ${number}`,
+  newName: (number: string) => `Posizione ${number}`,
   saved: (name: string) => `Salvata come ${name}. Può darle un nome migliore.`,
   angles: (angles: string) => `Assi a ${angles}`,
   edit: (name: string) => `Modifica ${name}`,

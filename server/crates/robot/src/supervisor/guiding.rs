@@ -159,6 +159,10 @@ impl Supervisor {
         let (action, script, seed) = match command {
             HandCommand::Return { script, seed } => (Action::Return, script, seed),
             HandCommand::Show { script, seed } => (Action::Show, script, seed),
+            HandCommand::Lead(_) | HandCommand::LetGo => {
+                tokio::spawn(lead_hand(client, command, reply));
+                return;
+            }
         };
         let requests = self.requests.clone();
         tokio::spawn(async move {
@@ -281,4 +285,15 @@ impl Supervisor {
     fn drop_samples(&mut self) {
         while self.links.samples.pop().is_ok() {}
     }
+}
+
+/// Passes on where the hand shall lead the arm. What it does then is seen when it is asked for:
+/// so many commands come that each must be short.
+async fn lead_hand(client: rws::Client, command: HandCommand, reply: Reply<()>) {
+    let done = match command {
+        HandCommand::Lead(joints) => client.lead_virtual_hand(&joints.0).await,
+        _ => client.release_virtual_hand().await,
+    };
+    // Who asked may have gone away meanwhile.
+    let _ = reply.send(done.map_err(RobotError::from));
 }

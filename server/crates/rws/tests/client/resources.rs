@@ -289,7 +289,21 @@ async fn the_virtual_hand_exists_only_on_the_virtual_controller() {
         HandState::Showing
     );
 
+    client
+        .lead_virtual_hand(&[1.5, -2.0, 0.0, 1e-7, -45.25, 6.0])
+        .await
+        .unwrap();
+    client.release_virtual_hand().await.unwrap();
+    let asked = controller.asked();
+    assert_eq!(
+        asked[asked.len() - 2].body,
+        "action=lead&joints=1.5%2C-2%2C0%2C0.0000001%2C-45.25%2C6"
+    );
+    assert_eq!(asked[asked.len() - 1].body, "action=let_go");
+
     let real = Scripted::start().await;
     let error = real.client().virtual_hand_state().await.unwrap_err();
     assert_eq!(error.code(), "robot_resource_missing");
+    let error = real.client().lead_virtual_hand(&[0.0; 6]).await;
+    assert_eq!(error.unwrap_err().code(), "robot_resource_missing");
 }

@@ -4,6 +4,7 @@ use super::{Controller, ControllerState, OperatingMode, Refusal};
 use crate::events::Incident;
 use crate::hand::script::Script;
 use crate::hand::{Action, Doing};
+use motion::JointAngles;
 
 /// Cycles from the request to the change, about 50 ms.
 const CHANGE_AFTER_CYCLES: u32 = 12;
@@ -63,6 +64,7 @@ impl Controller {
     /// arm moves.
     pub fn set_lead_through(&mut self, active: bool) -> Result<(), Refusal> {
         if !active {
+            self.hand.end_lead();
             if self.lead_through.is_soft() {
                 self.lead_through = LeadThrough::Ending {
                     left: CHANGE_AFTER_CYCLES,
@@ -99,13 +101,38 @@ impl Controller {
     /// # Errors
     /// [`Refusal::WrongState`] unless lead-through is active.
     pub fn move_hand(&mut self, action: Action, script: Script, seed: u64) -> Result<(), Refusal> {
-        if self.lead_through != LeadThrough::Active {
-            return Err(Refusal::WrongState(
-                "the arm is stiff: lead-through is not active",
-            ));
-        }
+        self.check_soft()?;
         self.hand.begin(action, script, seed, self.arm.measured());
         Ok(())
+    }
+
+    /// Has the hand lead the arm to these joint angles; they must be named again before
+    /// [`motion::drag::PATIENCE_S`] have passed.
+    ///
+    /// # Errors
+    /// [`Refusal::WrongState`] unless lead-through is active, and while the hand shows a script.
+    pub fn lead_hand(&mut self, to: JointAngles) -> Result<(), Refusal> {
+        self.check_soft()?;
+        if matches!(self.hand.doing().state, "returning" | "showing") {
+            return Err(Refusal::WrongState("the hand shows a script"));
+        }
+        self.hand.lead(to, self.arm.measured());
+        Ok(())
+    }
+
+    /// Has the hand lead the arm no longer; a script goes on.
+    pub fn end_lead(&mut self) {
+        self.hand.end_lead();
+    }
+
+    fn check_soft(&self) -> Result<(), Refusal> {
+        if self.lead_through == LeadThrough::Active {
+            Ok(())
+        } else {
+            Err(Refusal::WrongState(
+                "the arm is stiff: lead-through is not active",
+            ))
+        }
     }
 
     /// What the hand is doing.

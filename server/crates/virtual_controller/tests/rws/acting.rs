@@ -85,6 +85,9 @@ async fn the_hand_waits_for_lead_through_and_then_moves_the_arm() {
         "action=show&script=f9&seed=5",
         "action=show&script=f1&seed=x",
         "script=f1",
+        "action=lead&joints=1,2,3",
+        "action=lead&joints=0,0,0,0,0,NaN",
+        "action=lead&joints=0,0,0,0,0,271",
     ] {
         assert_eq!(
             cell.post("/virtual/hand", bad).await.status(),

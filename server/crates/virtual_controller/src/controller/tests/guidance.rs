@@ -136,3 +136,71 @@ fn an_open_guard_stops_the_arm_and_keeps_its_motors_off() {
     bench.controller.set_guard_stop(false);
     assert!(bench.controller.set_motors(true).is_ok());
 }
+
+#[test]
+fn a_led_arm_goes_where_it_is_led_within_its_limits_and_rests_when_nobody_leads() {
+    let mut bench = Bench::new(EgmSettings {
+        stream_when_idle: true,
+        ..EgmSettings::default()
+    });
+    let to = beside_home(&bench, 6.0);
+    bench.controller.set_motors(true).unwrap();
+    assert!(bench.controller.lead_hand(to).is_err(), "the arm is stiff");
+    bench.until_soft();
+
+    let mut before = bench.controller.measured();
+    for cycle in 0..500 {
+        // Five cycles are 20 ms.
+        if cycle % 5 == 0 {
+            bench.controller.lead_hand(to).unwrap();
+        }
+        let told = bench.silent_cycle().unwrap();
+        assert_eq!(
+            told.feedback
+                .map(|at| at.max_abs_difference(&before) < 1e-9),
+            Some(true)
+        );
+        let now = bench.controller.measured();
+        let way_mm = motion::kinematics::tool0(&before)
+            .position
+            .distance(&motion::kinematics::tool0(&now).position);
+        assert!(way_mm / 0.004_032 <= 250.1);
+        before = now;
+    }
+    assert_eq!(bench.controller.hand().state, "leading");
+    assert!(before.max_abs_difference(&to) < 0.01, "{before:?}");
+
+    let far = beside_home(&bench, 60.0);
+    bench.controller.lead_hand(far).unwrap();
+    let mut cycles = 0;
+    while bench.controller.hand().state == "leading" {
+        bench.silent_cycle();
+        cycles += 1;
+        assert!(cycles < PATIENCE, "nobody leads it any more");
+    }
+    assert!(bench.controller.measured().max_abs_difference(&far) > 20.0);
+    let rests = bench.controller.measured();
+    bench.silent_cycle();
+    assert_eq!(bench.controller.measured(), rests);
+}
+
+#[test]
+fn a_script_is_not_led_away_and_a_stiff_arm_is_led_nowhere() {
+    let mut bench = Bench::new(EgmSettings::default());
+    bench.controller.set_motors(true).unwrap();
+    bench.until_soft();
+    let to = beside_home(&bench, 6.0);
+    bench
+        .controller
+        .move_hand(Action::Show, Script::F1, 1)
+        .unwrap();
+    assert!(bench.controller.lead_hand(to).is_err());
+    bench.controller.end_lead();
+    assert_eq!(bench.controller.hand().state, "showing");
+
+    bench.controller.set_motors(false).unwrap();
+    assert!(bench.controller.lead_hand(to).is_err());
+    let left = bench.controller.measured();
+    bench.silent_cycle();
+    assert_eq!(bench.controller.measured(), left);
+}

@@ -1,0 +1,60 @@
+// English words of the picture of the arm, and of leading the virtual arm in it.
+export const arm3d = {
+  loading: "The picture is being fetched…",
+  missing: "This phone cannot show the arm as a picture. The plots and numbers show the same.",
+  /** In centimetres, seen from the base of the arm. */
+  tool: (forward: string, left: string, up: string) =>
+    `The tool is ${forward} cm forward, ${left} cm left and ${up} cm up from the base.`,
+  labels: {
+    plan: "The arm on its planned way. The translucent arm stands at the end of the motion.",
+    flight: "The arm as it was measured. The translucent arm stands where the plan has it.",
+    take: "The recorded movement of the arm.",
+    live: "The arm as it stands now.",
+  },
+  legend: {
+    path: "way of the tool",
+    approach: "way to the start",
+    band: "spread of your takes",
+    ghostGoal: "end of the motion",
+    ghostPlanned: "planned pose",
+    planned: "planned way",
+  },
+  view: {
+    title: "Turn the picture",
+    left: "Turn left",
+    right: "Turn right",
+    closer: "Closer",
+    farther: "Farther",
+    front: "Front",
+    side: "Side",
+    top: "Top",
+  },
+  drag: {
+    hint: "Put a finger on the ball and move it: the arm follows.",
+    buttons: "Move with buttons",
+    hold: "Keep a button pressed to move the tool.",
+    up: "Up",
+    down: "Down",
+    left: "Left",
+    right: "Right",
+    forward: "Away from you",
+    back: "Towards you",
+    twistLeft: "Twist left",
+    twistRight: "Twist right",
+    tiltLeft: "Tilt left",
+    tiltRight: "Tilt right",
+    tiltBack: "Tilt to you",
+    tiltAway: "Tilt away",
+    lost: "The phone is not connected. The arm does not follow now.",
+  },
+  lead: {
+    who: "Who leads the virtual arm?",
+    name: "I lead it myself",
+    detail: "with a finger, in the picture of the arm",
+    steps: [
+      "No real robot here: you lead the virtual arm in its picture.",
+      "Press Record. After 3, 2, 1 the arm goes soft.",
+      "Move the ball at the tool with your finger, then press Stop recording.",
+    ],
+  },
+};
