@@ -51,7 +51,7 @@ const NOT_FOR_PHONES: [(&str, &str); 12] = [
 ];
 
 /// Single literals that no phone shows: to be found by how they begin, with where they are read instead.
-const EXCEPTIONS: [(&str, &[&str]); 7] = [
+const EXCEPTIONS: [(&str, &[&str]); 8] = [
     (
         "the list of who did what",
         &[
@@ -109,7 +109,8 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
             "inline; filename",
             "private, max-age",
             "attachment; filename",
-            "{COOKIE}=",
+            "; Secure",
+            "{}={}; Path=/",
         ],
     ),
     (
@@ -133,6 +134,15 @@ const EXCEPTIONS: [(&str, &[&str]); 7] = [
             "it must be 64 hexadecimal digits",
             "it must look like https",
             "a certificate is pinned, so",
+        ],
+    ),
+    (
+        "the terminal: the certificate authority, looked at before the pages are served",
+        &[
+            "TEAM's own certificate authority",
+            "no certificate could be made",
+            "the certificate authority",
+            "the key belongs to another certificate",
         ],
     ),
     (
