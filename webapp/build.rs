@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 /// What the build reads, relative to this crate. Tests and tools of the developer are not in it.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
     "compress.mjs",
     "src",
     "index.html",
@@ -20,6 +20,7 @@ const SOURCES: [&str; 7] = [
     "package-lock.json",
     "tsconfig.json",
     "vite.config.ts",
+    "vite.worker.ts",
 ];
 
 fn main() -> ExitCode {

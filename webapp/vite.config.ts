@@ -1,9 +1,11 @@
 // How the phone app is bundled. Its unit tests are set up in vitest.config.ts, so that a build
 // needs no test tools.
 import { defineConfig } from "vite";
+import { serviceWorker } from "./vite.worker.ts";
 
 export default defineConfig({
   publicDir: "../static",
+  plugins: [serviceWorker()],
   build: {
     // The build script of the Rust crate passes another folder; this is for a build by hand.
     outDir: "dist",

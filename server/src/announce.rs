@@ -10,18 +10,37 @@ use crate::cell::RobotSettings;
 
 /// The ready line, where controllers are awaited, and for a server on the network the pairing code with its QR code.
 pub fn announcement(app: &RunningApp) -> String {
+    // Writing to a string can't fail.
     let mut text = format!("TEAM is ready: {}\n", app.url());
+    if let Some(url) = app.url_without_certificate() {
+        let _ = writeln!(text, "Without this cell's certificate: {url}");
+    }
+    if let Some(fingerprint) = app.certificate_sha256() {
+        let _ = writeln!(text, "The certificate's SHA-256 fingerprint: {fingerprint}");
+    }
     if app.robots().len() > 1 || app.robots().iter().any(|robot| robot.controller.is_some()) {
         for robot in app.robots() {
-            // Writing to a string can't fail.
             let _ = writeln!(text, "{}", in_a_line(robot));
         }
     }
     if let (Some(code), Some(url)) = (app.pairing_code(), app.pairing_url()) {
         let (first, second) = code.split_at(4);
         let _ = writeln!(text, "Pairing code: {first} {second}");
-        if let Some(picture) = qr(&url) {
-            let _ = writeln!(text, "Scan it with the phone's camera:\n{picture}");
+        let joining = app.joining_url();
+        let pictures = match &joining {
+            None => vec![("Scan it with the phone's camera:", url.as_str())],
+            Some(joining) => vec![
+                (
+                    "A new phone: scan this, it leads through.",
+                    joining.as_str(),
+                ),
+                ("A phone that has the certificate:", url.as_str()),
+            ],
+        };
+        for (words, url) in pictures {
+            if let Some(picture) = qr(url) {
+                let _ = writeln!(text, "{words} {url}\n{picture}");
+            }
         }
     }
     text

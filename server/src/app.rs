@@ -16,16 +16,21 @@ use virtual_controller::{FaultSwitches, VirtualController};
 
 use crate::arms::{Arm, StartedRobot};
 use crate::cell::{self, CellError, RobotSettings};
-use crate::clock::{SharedClock, SystemClock};
+use crate::certificates::{self, Certificates, Machine};
+use crate::clock::{Clock, SharedClock, SystemClock};
 use crate::config::Config;
 use crate::http::{self, AppState};
 use crate::jobs::Worker;
 use crate::pairing::{Gatekeeper, PairingCode};
+use crate::shutdown::Shutdown;
 use crate::store::{self, Store};
 
 mod robots;
 #[cfg(test)]
 mod tests;
+
+/// How often the computer's addresses and the calendar are looked at for the certificate's sake.
+const LOOK_EVERY: Duration = Duration::from_secs(600);
 
 /// Why the server did not start.
 #[derive(Debug, thiserror::Error)]
@@ -57,6 +62,9 @@ pub enum StartError {
         /// Why.
         source: std::io::Error,
     },
+    /// There is no HTTPS.
+    #[error("{0}; or leave out --https")]
+    Https(#[from] certificates::Error),
     /// The configuration of the cell can't be used.
     #[error(transparent)]
     Cell(#[from] CellError),
@@ -113,9 +121,16 @@ impl App {
             .await
             .map_err(listen_error)?;
         let address = listener.local_addr().map_err(listen_error)?;
+        let certificates = certificates(&config, address.ip())?;
         let (started, virtual_arms) = robots::start(&robots).await?;
-        let state = assemble(&config, store, started)?;
+        let mut state = assemble(&config, store, started)?;
+        state.certificates = certificates;
+        state.found_at = Some(found_at(address)).filter(|_| state.gatekeeper.is_some());
         recover(&state).await?;
+        if let Some(certificates) = state.certificates.clone() {
+            let shutdown = state.shutdown.clone();
+            tokio::spawn(keep_fresh(certificates, address.ip(), shutdown));
+        }
         let worker = Worker::start(state.queue.clone(), state.shutdown.clone())
             .map_err(|error| StartError::System(error.to_string()))?;
         Ok(RunningApp {
@@ -134,10 +149,22 @@ impl RunningApp {
     /// Where the pages are, for a browser on this computer or, when bound to the network, on a
     /// phone.
     pub fn url(&self) -> String {
-        format!(
-            "http://{}/",
-            SocketAddr::new(reachable(self.address.ip()), self.address.port())
-        )
+        let scheme = match self.state.certificates {
+            Some(_) => "https",
+            None => "http",
+        };
+        format!("{scheme}://{}/", found_at(self.address))
+    }
+
+    /// Where a phone without this cell's certificate begins; nothing when there is none.
+    pub fn url_without_certificate(&self) -> Option<String> {
+        self.state.certificates.as_ref()?;
+        Some(format!("http://{}/", found_at(self.address)))
+    }
+
+    /// The fingerprint of the certificate that phones install.
+    pub fn certificate_sha256(&self) -> Option<String> {
+        Some(self.state.certificates.as_ref()?.authority_sha256())
     }
 
     /// The code that a phone needs; nothing when only this computer can reach the server.
@@ -149,6 +176,12 @@ impl RunningApp {
     /// Where a phone is paired by opening it.
     pub fn pairing_url(&self) -> Option<String> {
         Some(format!("{}#pair={}", self.url(), self.pairing_code()?))
+    }
+
+    /// What leads a phone to the certificate and on, by opening it.
+    pub fn joining_url(&self) -> Option<String> {
+        let url = self.url_without_certificate()?;
+        Some(format!("{url}#/join/{}", self.pairing_code()?))
     }
 
     /// The robots as they are configured.
@@ -260,6 +293,32 @@ async fn recover(state: &AppState) -> Result<(), StartError> {
         }
     }
     Ok(())
+}
+
+/// The authority from the data folder, and a certificate for this computer.
+fn certificates(config: &Config, ip: IpAddr) -> Result<Option<Arc<Certificates>>, StartError> {
+    if !config.https {
+        return Ok(None);
+    }
+    let (folder, machine) = (config.data.join("https"), Machine::here(reachable(ip)));
+    let certificates = Certificates::open(&folder, &machine, SystemClock.now())?;
+    Ok(Some(certificates))
+}
+
+/// Looks again and again whether the certificate still fits this computer and the calendar.
+async fn keep_fresh(certificates: Arc<Certificates>, ip: IpAddr, shutdown: Shutdown) {
+    while timeout(LOOK_EVERY, shutdown.raised()).await.is_err() {
+        let machine = Machine::here(reachable(ip));
+        match certificates.refresh(&machine, SystemClock.now()) {
+            Ok(false) => {}
+            Ok(true) => tracing::info!("the pages have a new certificate"),
+            Err(error) => tracing::error!(%error, "the certificate was not renewed"),
+        }
+    }
+}
+
+fn found_at(address: SocketAddr) -> SocketAddr {
+    SocketAddr::new(reachable(address.ip()), address.port())
 }
 
 /// An address under which a server bound to `ip` is found. A server that is bound to every

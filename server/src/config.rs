@@ -23,6 +23,10 @@ pub struct Config {
     /// the pairing code. Port 0 takes any free port.
     #[arg(long, env = "TEAM_LISTEN", default_value_t = Config::DEFAULT_LISTEN)]
     pub listen: SocketAddr,
+    /// Answer over HTTPS too, on the same port, with a certificate of this cell's own authority.
+    /// Phones that have it can install the app and keep their screen on.
+    #[arg(long, env = "TEAM_HTTPS")]
+    pub https: bool,
     /// UDP port on which the arm's controller reaches the server (EGM). 0 takes any free port.
     #[arg(long, env = "TEAM_EGM_PORT", default_value_t = 6510)]
     pub egm_port: u16,
@@ -110,6 +114,13 @@ mod tests {
             assert_eq!(config.listen.to_string(), "0.0.0.0:80");
             assert_eq!((config.egm_port, config.robot), (0, RobotChoice::None));
         }
+    }
+
+    #[test]
+    fn https_is_one_flag() {
+        assert!(!served(&["team"]).https);
+        assert!(served(&["team", "--https"]).https);
+        assert!(served(&["team", "serve", "--listen", "0.0.0.0:80", "--https"]).https);
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod announce;
 mod app;
 mod arms;
 pub mod cell;
+mod certificates;
 pub mod cli;
 pub mod clock;
 pub mod config;

@@ -17,8 +17,8 @@ const LEAST_S: f64 = 1.0;
 const MARGIN_S: f64 = 0.3;
 /// A shorter stretch of standing still is not worth a proposal, in seconds.
 const WORTH_S: f64 = 0.5;
-/// Proposals are rounded to what the phone's buttons step by, in seconds.
-const STEP_S: f64 = 0.1;
+/// Proposals are rounded to what the phone's buttons step by: so many of these are a second.
+const STEPS: f64 = 10.0;
 
 /// Why a recording can't be cut like that.
 #[derive(Debug, thiserror::Error)]
@@ -133,8 +133,8 @@ pub(crate) fn proposal(whole: &Recording) -> Option<Trim> {
         to_s = to_s.max(change.at_s);
     }
     let end_s = times_s[times_s.len() - 1];
-    from_s = ((from_s - MARGIN_S) / STEP_S).floor() * STEP_S;
-    to_s = ((to_s + MARGIN_S) / STEP_S).ceil() * STEP_S;
+    from_s = ((from_s - MARGIN_S) * STEPS).floor() / STEPS;
+    to_s = ((to_s + MARGIN_S) * STEPS).ceil() / STEPS;
     if from_s < WORTH_S {
         from_s = 0.0;
     }

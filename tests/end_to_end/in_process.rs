@@ -13,6 +13,7 @@ pub struct InProcess(RunningApp);
 pub async fn start(data: &Path) -> InProcess {
     let config = Config {
         listen: ([127, 0, 0, 1], 0).into(),
+        https: false,
         egm_port: 0,
         data: data.to_owned(),
         robot: RobotChoice::Virtual,

@@ -8,6 +8,7 @@ mod doctor;
 mod dragging;
 mod flight;
 mod hold;
+mod https;
 mod in_process;
 mod independent;
 mod pace;

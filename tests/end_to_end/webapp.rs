@@ -92,23 +92,30 @@ async fn the_pages_do_the_main_job_on_a_phone() {
     let cell = two_arms(&cell_data).await;
     let network_data = Folder::new(SCRATCH, "browser-pairing");
     let network = on_the_network(&network_data).await;
+    let https_data = Folder::new(SCRATCH, "browser-https");
+    let more = ["--robot", "none", "--https"];
+    let https = Process::start_on(PROGRAM, "0.0.0.0:0", https_data.path(), &more).await;
     idle_arm(&server.client()).await;
     let (arm, phones, arms) = (server.client(), network.client(), cell.client());
     let code = pairing_code(&network).await;
     // What the app costs a phone, for whoever reads the output of all tests.
     let costs = Path::new(SCRATCH).join("budgets.txt");
     std::fs::write(&costs, "").expect("the scratch folder can be written");
+    let (secured, secured_code) = (https.client(), pairing_code(&https).await);
     let environment = [
         ("BASE_URL", arm.base()),
         ("PAIRING_URL", phones.base()),
         ("PAIRING_CODE", &code),
         ("CELL_URL", arms.base()),
         ("BUDGETS", costs.to_str().expect("a plain path")),
+        ("HTTPS_URL", secured.base()),
+        ("HTTPS_CODE", &secured_code),
     ];
     npm(&browser, &["run", "browser"], &environment).await;
     server.terminate().await;
     cell.terminate().await;
     network.terminate().await;
+    https.terminate().await;
 }
 
 /// A server with the two virtual arms that the specs know.

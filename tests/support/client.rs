@@ -1,7 +1,7 @@
 //! A small HTTP client for the REST interface.
 
 use reqwest::header::{CONTENT_TYPE, HeaderMap, HeaderName, HeaderValue};
-use reqwest::{Method, StatusCode};
+use reqwest::{ClientBuilder, Method, StatusCode};
 use serde_json::Value;
 
 /// Speaks to one server.
@@ -19,11 +19,25 @@ impl Client {
     /// When the system refuses to make an HTTP client.
     #[must_use]
     pub fn new(base: &str) -> Self {
+        Self::with(base, |client| client)
+    }
+
+    /// A client that trusts the authority with this certificate (DER) and no other.
+    ///
+    /// # Panics
+    /// When it is no certificate.
+    #[must_use]
+    pub fn trusting(base: &str, authority: &[u8]) -> Self {
+        let authority = reqwest::Certificate::from_der(authority).expect("a certificate");
+        Self::with(base, |client| client.tls_certs_only([authority]))
+    }
+
+    fn with(base: &str, trust: impl FnOnce(ClientBuilder) -> ClientBuilder) -> Self {
         // The robot's client brings TLS into reqwest, which cannot be built without a provider then.
         rustls::crypto::ring::default_provider()
             .install_default()
             .ok();
-        let http = reqwest::Client::builder()
+        let http = trust(reqwest::Client::builder())
             .no_proxy()
             .redirect(reqwest::redirect::Policy::none())
             .timeout(super::SHORT)

@@ -9,7 +9,9 @@ import { RobotBar } from "./components/robot-bar";
 import { StopBar } from "./components/stop-bar";
 import { DashboardPage } from "./pages/dashboard/dashboard";
 import { LanguagePage } from "./pages/language";
+import { OfflinePage } from "./pages/offline";
 import { PairingPage } from "./pages/pairing";
+import { JoinPage } from "./pages/phones/join";
 import { RobotsPage } from "./pages/robots";
 import { MotionPage } from "./pages/run/motion";
 import { PositionsPage } from "./pages/run/positions";
@@ -26,7 +28,7 @@ import { TaskPage } from "./pages/teach/task";
 import { TeachPage } from "./pages/teach/teach";
 import { link, type Route } from "./router";
 import { useLoad } from "./state/hooks";
-import { startLive } from "./state/live";
+import { showLastKnown, startLive } from "./state/live";
 import { route, type Target } from "./state/navigation";
 import { robotId } from "./state/robots";
 import { beginSession, mustPair, session } from "./state/session";
@@ -40,6 +42,13 @@ export function App() {
   useEffect(() => {
     if (ready) startLive(robot);
   }, [ready, robot]);
+  // The server did not answer at all: what a phone knows by itself is better than nothing.
+  const alone = session.value === null && load.problem?.code === "unreachable";
+  useEffect(() => {
+    if (alone) showLastKnown();
+  }, [alone]);
+  // A phone that is not paired yet is set up on this page.
+  const joining = session.value !== null && route.value.page === "join";
   return (
     <div class="frame">
       <header>
@@ -47,8 +56,12 @@ export function App() {
         {ready && <ControlStrip />}
         {ready && <Sections />}
       </header>
-      {ready || route.value.page === "language" ? (
+      {alone ? (
+        <OfflinePage load={load} />
+      ) : ready || route.value.page === "language" ? (
         <Screen route={route.value} />
+      ) : joining ? (
+        <JoinPage key="join" />
       ) : open ? (
         // The overview is of all robots, so none has to be chosen for it.
         route.value.page === "dashboard" ? (
@@ -121,6 +134,8 @@ function Screen({ route }: { route: Route }) {
       return <DashboardPage key="dashboard" />;
     case "language":
       return <LanguagePage key="language" />;
+    case "join":
+      return <JoinPage key="join" />;
     case "run":
       return <RunPage key="run" />;
     case "setup":

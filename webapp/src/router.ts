@@ -11,6 +11,7 @@ export type Route =
   | { page: "robots" }
   | { page: "dashboard" }
   | { page: "language" }
+  | { page: "join" }
   | { page: "run" }
   | { page: "setup"; task: string }
   | { page: "preview"; task: string }
@@ -38,6 +39,7 @@ export function parse(hash: string): Route {
   if (section === "robots" && task === undefined) return { page: "robots" };
   if (section === "dashboard" && task === undefined) return { page: "dashboard" };
   if (section === "language" && task === undefined) return { page: "language" };
+  if (section === "join") return { page: "join" };
   if (section === "run") {
     if (task === undefined) return { page: "run" };
     if (place === undefined) return { page: "setup", task };
@@ -71,6 +73,8 @@ export function link(route: Exclude<Route, { page: "missing" }>): string {
       return "#/dashboard";
     case "language":
       return "#/language";
+    case "join":
+      return "#/join";
     case "run":
       return "#/run";
     case "setup":

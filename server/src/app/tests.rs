@@ -26,6 +26,7 @@ fn config(data: &Path, robot: RobotChoice) -> Config {
         egm_port: 0,
         data: data.to_owned(),
         robot,
+        https: false,
         config: None,
     }
 }

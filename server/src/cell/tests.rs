@@ -299,6 +299,7 @@ fn a_file_without_robots_and_no_file_at_all_are_refused() {
     assert!(read("").unwrap_err().to_string().contains("no robot"));
     let config = crate::config::Config {
         listen: ([127, 0, 0, 1], 0).into(),
+        https: false,
         egm_port: 0,
         data: "data".into(),
         robot: crate::config::RobotChoice::Virtual,

@@ -1,19 +1,28 @@
 //! Who is let through: loopback names and same origin for this computer, the cookie for others.
 
+use std::convert::Infallible;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 
 use axum::extract::{ConnectInfo, FromRequestParts, Request, State};
 use axum::http::request::Parts;
-use axum::http::{HeaderMap, StatusCode, header};
+use axum::http::{Extensions, HeaderMap, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::Response;
 
+use super::entrance::Scheme;
 use super::error::ApiError;
 use super::state::AppState;
 use crate::pairing::Token;
 
-/// The name of the cookie.
-pub const COOKIE: &str = "team_session";
+/// The name of the cookie. Each scheme has its own: what somebody read along on plain HTTP opens
+/// nothing on HTTPS, and a browser keeps the `__Host-` one for this very host.
+pub const fn cookie_name(scheme: Scheme) -> &'static str {
+    match scheme {
+        Scheme::Http => "team_session",
+        Scheme::Https => "__Host-team_session",
+    }
+}
+
 /// How long a phone stays paired.
 pub const PAIRED_FOR_MS: i64 = 30 * 24 * 3_600 * 1_000;
 
@@ -38,6 +47,7 @@ pub async fn guard(
     next: Next,
 ) -> Result<Response, ApiError> {
     let headers = request.headers();
+    let scheme = scheme(request.extensions());
     let host = host(headers)?;
     if state.gatekeeper.is_none() && !is_loopback(host) {
         return Err(ApiError::new(
@@ -47,7 +57,7 @@ pub async fn guard(
         )
         .advise("Open the address that the server printed when it started."));
     }
-    if !is_same_origin(headers, host) {
+    if !is_same_origin(headers, scheme, host) {
         return Err(ApiError::new(
             StatusCode::FORBIDDEN,
             "origin_refused",
@@ -55,7 +65,7 @@ pub async fn guard(
         )
         .advise("Use the server's own pages."));
     }
-    let actor = match (&state.gatekeeper, cookie(headers)) {
+    let actor = match (&state.gatekeeper, cookie(headers, scheme)) {
         (None, _) => "this computer".to_owned(),
         (Some(_), token) => {
             let paired = is_paired(&state, token.as_ref()).await?;
@@ -73,14 +83,14 @@ pub async fn guard(
 }
 
 /// The cookie's token, if the client sent one.
-pub fn cookie(headers: &HeaderMap) -> Option<Token> {
+pub fn cookie(headers: &HeaderMap, scheme: Scheme) -> Option<Token> {
     headers
         .get_all(header::COOKIE)
         .iter()
         .filter_map(|value| value.to_str().ok())
         .flat_map(|value| value.split(';'))
         .filter_map(|pair| pair.trim().split_once('='))
-        .find(|(name, _)| *name == COOKIE)
+        .find(|(name, _)| *name == cookie_name(scheme))
         .map(|(_, token)| Token::received(token))
 }
 
@@ -107,7 +117,7 @@ fn is_open(path: &str) -> bool {
     !path.starts_with("/api/") || OPEN.contains(&path)
 }
 
-fn host(headers: &HeaderMap) -> Result<&str, ApiError> {
+pub(super) fn host(headers: &HeaderMap) -> Result<&str, ApiError> {
     let host = headers
         .get(header::HOST)
         .and_then(|host| host.to_str().ok());
@@ -122,7 +132,7 @@ fn host(headers: &HeaderMap) -> Result<&str, ApiError> {
 
 /// A page on another site may have its name resolve to this computer; it can't choose the name
 /// that the browser sends along.
-fn is_loopback(host: &str) -> bool {
+pub(super) fn is_loopback(host: &str) -> bool {
     let name = match host.strip_prefix('[') {
         Some(rest) => rest.split(']').next().unwrap_or_default(),
         None => host.split(':').next().unwrap_or_default(),
@@ -132,13 +142,30 @@ fn is_loopback(host: &str) -> bool {
         || name.parse::<Ipv6Addr>().is_ok_and(|ip| ip.is_loopback())
 }
 
-fn is_same_origin(headers: &HeaderMap, host: &str) -> bool {
+/// How the request came in; without an entrance there is plain HTTP only.
+fn scheme(extensions: &Extensions) -> Scheme {
+    extensions.get().copied().unwrap_or_default()
+}
+
+fn is_same_origin(headers: &HeaderMap, scheme: Scheme, host: &str) -> bool {
+    let prefix = match scheme {
+        Scheme::Http => "http://",
+        Scheme::Https => "https://",
+    };
     match headers.get(header::ORIGIN).map(|origin| origin.to_str()) {
         None => true,
         Some(Err(_)) => false,
         Some(Ok(origin)) => origin
-            .strip_prefix("http://")
+            .strip_prefix(prefix)
             .is_some_and(|origin| origin.eq_ignore_ascii_case(host)),
+    }
+}
+
+impl<S: Sync> FromRequestParts<S> for Scheme {
+    type Rejection = Infallible;
+
+    async fn from_request_parts(parts: &mut Parts, _state: &S) -> Result<Self, Infallible> {
+        Ok(scheme(&parts.extensions))
     }
 }
 
@@ -196,18 +223,22 @@ mod tests {
         let check = |origin: &str| {
             let mut headers = HeaderMap::new();
             headers.insert(header::ORIGIN, origin.parse().unwrap());
-            is_same_origin(&headers, "127.0.0.1:8080")
+            let same = |scheme| is_same_origin(&headers, scheme, "127.0.0.1:8080");
+            (same(Scheme::Http), same(Scheme::Https))
         };
-        assert!(check("http://127.0.0.1:8080"));
+        assert_eq!(check("http://127.0.0.1:8080"), (true, false));
+        assert_eq!(check("https://127.0.0.1:8080"), (false, true));
         for origin in [
             "null",
             "http://evil.example",
-            "https://127.0.0.1:8080",
+            "https://evil.example",
             "http://127.0.0.1",
+            "https://127.0.0.1",
         ] {
-            assert!(!check(origin), "{origin}");
+            assert_eq!(check(origin), (false, false), "{origin}");
         }
-        assert!(is_same_origin(&HeaderMap::new(), "127.0.0.1:8080"));
+        let none = HeaderMap::new();
+        assert!(is_same_origin(&none, Scheme::Http, "127.0.0.1:8080"));
     }
 
     #[test]
@@ -215,9 +246,13 @@ mod tests {
         let mut headers = HeaderMap::new();
         headers.insert(
             header::COOKIE,
-            "a=b; team_session=cafe; c=d".parse().unwrap(),
+            "a=b; team_session=cafe; __Host-team_session=beef; c=d"
+                .parse()
+                .unwrap(),
         );
-        assert_eq!(cookie(&headers).unwrap().as_str(), "cafe");
-        assert!(cookie(&HeaderMap::new()).is_none());
+        for (scheme, token) in [(Scheme::Http, "cafe"), (Scheme::Https, "beef")] {
+            assert_eq!(cookie(&headers, scheme).unwrap().as_str(), token);
+            assert!(cookie(&HeaderMap::new(), scheme).is_none());
+        }
     }
 }

@@ -8,12 +8,14 @@ mod auth;
 mod control;
 mod dashboard;
 mod demonstrations;
+mod entrance;
 mod error;
 mod extract;
 mod flights;
 mod headers;
 mod health;
 mod jobs;
+mod join;
 mod live;
 mod models;
 mod outcomes;
@@ -39,7 +41,10 @@ pub use state::AppState;
 
 use std::net::SocketAddr;
 
+use axum::middleware::map_request_with_state;
 use tokio::net::TcpListener;
+
+use entrance::{Peer, Scheme};
 
 /// Answers requests until the server is asked to stop and the last answer is given.
 ///
@@ -47,8 +52,25 @@ use tokio::net::TcpListener;
 /// When the system takes the listener away.
 pub async fn serve(listener: TcpListener, state: AppState) -> std::io::Result<()> {
     let shutdown = state.shutdown.clone();
-    let service = router::router(state).into_make_service_with_connect_info::<SocketAddr>();
-    axum::serve(listener, service)
-        .with_graceful_shutdown(async move { shutdown.raised().await })
-        .await
+    let stopped = || {
+        let shutdown = shutdown.clone();
+        async move { shutdown.raised().await }
+    };
+    let Some(certificates) = state.certificates.clone() else {
+        let service = router::router(state).into_make_service_with_connect_info::<SocketAddr>();
+        return axum::serve(listener, service)
+            .with_graceful_shutdown(stopped())
+            .await;
+    };
+    let config = certificates.tls().map_err(std::io::Error::other)?;
+    let (plain, secured) = entrance::open(listener, config, shutdown.clone())?;
+    let service = |scheme| {
+        let introduce = map_request_with_state(scheme, entrance::introduce);
+        let router = router::router(state.clone()).layer(introduce);
+        router.into_make_service_with_connect_info::<Peer>()
+    };
+    let plain = axum::serve(plain, service(Scheme::Http)).with_graceful_shutdown(stopped());
+    let secured = axum::serve(secured, service(Scheme::Https)).with_graceful_shutdown(stopped());
+    tokio::try_join!(plain, secured)?;
+    Ok(())
 }

@@ -13,7 +13,7 @@ use utoipa_axum::routes;
 use super::state::AppState;
 use super::{
     agreement, assets, auth, control, dashboard, demonstrations, flights, headers, health, jobs,
-    live, models, outcomes, pauses, pictures, plans, positions, questionnaire, reproductions,
+    join, live, models, outcomes, pauses, pictures, plans, positions, questionnaire, reproductions,
     robot, run_control, session, signals, tasks, trims,
 };
 
@@ -38,6 +38,7 @@ pub fn router(state: AppState) -> Router {
         .layer(DefaultBodyLimit::max(BODY_BYTES));
     Router::new()
         .nest("/api/v1", api)
+        .route(join::CERTIFICATE, get(join::certificate))
         .fallback(assets::serve)
         .layer(middleware::from_fn_with_state(state.clone(), auth::guard))
         .layer(CatchPanicLayer::custom(headers::panicked))
@@ -53,6 +54,8 @@ fn api() -> OpenApiRouter<AppState> {
     OpenApiRouter::with_openapi(described())
         .routes(routes!(health::show))
         .routes(routes!(session::show, session::pair))
+        .routes(routes!(join::show))
+        .routes(routes!(join::picture))
         .routes(routes!(tasks::list, tasks::create))
         .routes(routes!(tasks::show, tasks::rename, tasks::delete))
         .routes(routes!(tasks::restore))

@@ -6,7 +6,8 @@ use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use super::auth::{COOKIE, Client, PAIRED_FOR_MS, cookie, is_paired};
+use super::auth::{Client, PAIRED_FOR_MS, cookie, cookie_name, is_paired};
+use super::entrance::Scheme;
 use super::error::{ApiError, Problem};
 use super::extract::Json;
 use super::state::AppState;
@@ -19,6 +20,8 @@ pub struct Session {
     paired: bool,
     /// Whether the server asks for the code at all.
     pairing_required: bool,
+    /// Whether the server answers over HTTPS too, at the same address.
+    https: bool,
     /// The server's version.
     version: &'static str,
 }
@@ -34,13 +37,15 @@ pub struct Pairing {
 #[utoipa::path(get, path = "/session", tag = "session", responses((status = 200, body = Session)))]
 pub async fn show(
     State(state): State<AppState>,
+    scheme: Scheme,
     headers: HeaderMap,
 ) -> Result<Json<Session>, ApiError> {
     let pairing_required = state.gatekeeper.is_some();
-    let paired = !pairing_required || is_paired(&state, cookie(&headers).as_ref()).await?;
+    let paired = !pairing_required || is_paired(&state, cookie(&headers, scheme).as_ref()).await?;
     Ok(Json(Session {
         paired,
         pairing_required,
+        https: state.certificates.is_some(),
         version: env!("CARGO_PKG_VERSION"),
     }))
 }
@@ -54,6 +59,7 @@ pub async fn show(
 pub async fn pair(
     State(state): State<AppState>,
     Client(address): Client,
+    scheme: Scheme,
     Json(pairing): Json<Pairing>,
 ) -> Result<Response, ApiError> {
     let Some(gatekeeper) = &state.gatekeeper else {
@@ -88,8 +94,13 @@ pub async fn pair(
         .add_pairing(&hash, &address.to_string(), now, expires)
         .await?;
     state.audit("unpaired", "paired", address).await;
+    let secure = match scheme {
+        Scheme::Http => "",
+        Scheme::Https => "; Secure",
+    };
     let text = format!(
-        "{COOKIE}={}; Path=/; Max-Age={}; HttpOnly; SameSite=Strict",
+        "{}={}; Path=/; Max-Age={}; HttpOnly; SameSite=Strict{secure}",
+        cookie_name(scheme),
         token.as_str(),
         PAIRED_FOR_MS / 1_000
     );

@@ -1,9 +1,11 @@
 //! What every handler can reach.
 
+use std::net::SocketAddr;
 use std::sync::Arc;
 
 use crate::agreement::Agreements;
 use crate::arms::{Arm, Arms, StartedRobot};
+use crate::certificates::Certificates;
 use crate::clock::SharedClock;
 use crate::control::Control;
 use crate::dragging::DragSeat;
@@ -35,6 +37,10 @@ pub struct AppState {
     pub plans: Arc<Plans>,
     /// Checks pairing codes; nothing when only this computer can reach the server.
     pub gatekeeper: Option<Arc<Gatekeeper>>,
+    /// This cell's certificates; nothing when there is plain HTTP only.
+    pub certificates: Option<Arc<Certificates>>,
+    /// Where the server is found by a phone; nothing when only this computer can reach it.
+    pub found_at: Option<SocketAddr>,
     /// Raised when the server stops.
     pub shutdown: Shutdown,
 }
@@ -86,6 +92,8 @@ impl AppState {
             agreements: Arc::default(),
             plans,
             gatekeeper,
+            certificates: None,
+            found_at: None,
             shutdown: Shutdown::default(),
         }
     }

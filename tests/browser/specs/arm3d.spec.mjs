@@ -8,10 +8,10 @@ import { hangUp, newPhone, openApp, openBrowser, until } from "../support/phone.
 import {
   button,
   heading,
-  linkNamed,
   newTask,
   preview,
   robotReady,
+  runSetup,
   train,
 } from "../support/steps.mjs";
 
@@ -65,7 +65,7 @@ test("the planned motion is a picture that a slider and buttons move", async () 
   const task = await taskFromFiles("As a picture");
   await openApp(page, `#/teach/${task.id}`);
   await train(page);
-  await linkNamed(page, "Run it").click();
+  await runSetup(page);
   await preview(page);
   await pictureShown(page);
   await canvas(page).scrollIntoViewIfNeeded();

@@ -79,7 +79,7 @@ test("twelve presses lead from the first page to a motion that the arm has made"
   await tap(button(page, "Record"));
   for (let take = 1; take <= 3; take += 1) {
     await page.getByRole("timer").waitFor();
-    await page.getByText("Put a finger on the ball").waitFor();
+    await page.locator('figure.arm3d[data-state="shown"][data-tool-at]').waitFor();
     await inspect(page, `first-use-recording-${take}`);
     await leadThere(page);
     await tap(button(page, "Stop recording"));

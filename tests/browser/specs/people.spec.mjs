@@ -107,8 +107,8 @@ async function secondPerson(motion) {
 /** What happened last time stands on the page with the choices. */
 async function lastRuns(page, task) {
   await openApp(page, `#/run/${task.id}`);
-  const run = page.getByRole("link", { name: /^Run of .*: Goal reached$/ });
-  await run.getByText("Did not").waitFor();
+  const run = page.getByRole("link", { name: /Goal reached Did not work$/ });
+  await run.waitFor();
   await run.scrollIntoViewIfNeeded();
   await inspect(page, "run-setup-recent");
 }

@@ -43,7 +43,11 @@ async function walk(page, setStage, state) {
   const note = (where, faults) =>
     found.push(...faults.map((one) => `${state.name} ${where}: ${one}`));
   await look(page, USUAL, "light");
-  await enter(page, setStage, state, BASE_URL);
+  try {
+    await enter(page, setStage, state, BASE_URL);
+  } catch (error) {
+    return [`${state.name} is not reached: ${error.message}`];
+  }
   for (const [where, viewport, scheme] of [
     ["small", SMALL, "light"],
     ["tablet", TABLET, "dark"],

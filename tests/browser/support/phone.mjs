@@ -28,18 +28,19 @@ function ownSize() {
 
 /** Opens a browser for one spec file; `close` it in `after`. The package's own arguments are meant
  *  for a cloud function: one process for everything, and no web security. We want neither. */
-export async function openBrowser() {
+export async function openBrowser(more = []) {
   return chromium.launch({
-    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
+    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", ...more],
     executablePath: await sparticuz.executablePath(),
     headless: true,
   });
 }
 
-/** A fresh phone without history. Errors in the page make the test fail at `hangUp`. */
+/** A fresh phone without history. Errors in the page make the test fail at `hangUp`. It keeps the
+ *  app for a start without the server only when told to, since requests could not be watched then. */
 export async function newPhone(
   browser,
-  { viewport = ownSize(), colorScheme = "light", locale = "en-GB" } = {},
+  { viewport = ownSize(), colorScheme = "light", locale = "en-GB", keepsApp = false } = {},
 ) {
   const context = await browser.newContext({
     viewport,
@@ -48,6 +49,7 @@ export async function newPhone(
     hasTouch: true,
     isMobile: true,
     locale,
+    serviceWorkers: keepsApp ? "allow" : "block",
   });
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();

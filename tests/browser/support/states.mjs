@@ -126,6 +126,24 @@ export function statesOf(world) {
       stage: { ...taking(world.recordingTake, world.guidingRobot), lost: true },
     },
     {
+      name: "teach-paused",
+      at: takeAt(world.recordingTake),
+      shows: ".recording-paused",
+      stage: taking(
+        { ...world.recordingTake, paused_at_deg: world.guidingRobot.joints_deg },
+        world.guidingRobot,
+      ),
+    },
+    {
+      name: "teach-cut",
+      at: `${task}/takes/${world.take}`,
+      shows: ".trim-steps",
+      then: async (page) => {
+        await page.locator(".card:has(.trim) summary").click();
+        await top(page, ".card:has(.trim)");
+      },
+    },
+    {
       name: "teach-review",
       at: `#/teach/${tasks.lid}/takes/${world.waitingTake}`,
       shows: ".panels canvas",
@@ -309,7 +327,7 @@ export function statesOf(world) {
       shows: ".dashboard .radar",
       then: async (page) => {
         await page.locator(".radar").first().waitFor();
-        await top(page, ".dashboard-part:last-child");
+        await top(page, ".dashboard > .dashboard-part:last-child");
       },
     },
     { name: "language", at: "#/language", shows: ".language-choice" },

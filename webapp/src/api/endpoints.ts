@@ -9,6 +9,7 @@ import type {
   Grouping,
   HandScript,
   Job,
+  Joining,
   Model,
   Plan,
   PlanRequest,
@@ -28,6 +29,10 @@ import type {
 
 export const getSession = () => request<Session>("GET", "/session");
 export const pair = (code: string) => request<null>("POST", "/session", { body: { code } });
+
+export const getJoining = () => request<Joining>("GET", "/join");
+/** For a picture: the same as a QR code. */
+export const joiningPicture = address("/join.svg");
 
 export const listTasks = () => request<Task[]>("GET", "/tasks");
 export const getTask = (task: string) => request<Task>("GET", `/tasks/${task}`);

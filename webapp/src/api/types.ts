@@ -6,7 +6,15 @@ export type Joints = number[];
 export interface Session {
   paired: boolean;
   pairing_required: boolean;
+  https: boolean;
   version: string;
+}
+
+/** What another phone needs to come in. */
+export interface Joining {
+  address?: string | null;
+  code?: string | null;
+  certificate_sha256?: string | null;
 }
 
 export interface Task {
@@ -421,7 +429,11 @@ export type LiveMessage =
   | { type: "job"; job: Job }
   | { type: "model"; model: Model }
   | { type: "reproduction"; reproduction: Reproduction }
-  | ({ type: "drag_refused" } & DragRefused);
+  /** Once for each drag that cannot begin or go on. */
+  | { type: "drag_refused"; code: string; detail: string; advice: string };
 
-/** Why the virtual arm does not go where a finger wants it. */
-export type DragRefused = { code: string; detail: string; advice: string };
+/** What drags the soft virtual arm on the live socket: where the centre of the tool flange shall be
+ *  in the base frame, turned about its own axes from how it was when the drag began. */
+export type DragMessage =
+  | { type: "drag"; tool_mm: [number, number, number]; turn_deg?: [number, number, number] }
+  | { type: "drag_end" };

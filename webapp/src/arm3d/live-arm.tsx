@@ -31,8 +31,9 @@ export function LiveArm({ fill = false }: { fill?: boolean }) {
   const stage = useSignal<Stage | null>(null);
   const canLead = useComputed(() => {
     const view = robot.value;
-    const handIdle = (view?.hand ?? "idle") === "idle";
-    const soft = view?.kind === "virtual" && view.state === "guiding" && handIdle;
+    // The virtual hand leads while a finger does: it is the finger's own.
+    const free = ["idle", "leading"].includes(view?.hand ?? "idle");
+    const soft = view?.kind === "virtual" && view.state === "guiding" && free;
     return soft && connection.value === "live" && controlledByOther(view) === null;
   });
   const lead = canLead.value;

@@ -7,6 +7,7 @@ import { t } from "../texts";
 import { FaultNotice } from "./fault-notice";
 import { Icon } from "./icon";
 import { LanguageLink } from "./language-link";
+import { UpdateNotice } from "./update-notice";
 
 interface Props {
   title: string;
@@ -29,6 +30,7 @@ export function Page({ title, back, first, actions, children }: Props) {
     <>
       <main class="page">
         <FaultNotice />
+        <UpdateNotice />
         <div class="page-head">
           {back && (
             <a class="back" href={link(back)} aria-label={t.app.back}>

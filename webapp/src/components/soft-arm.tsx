@@ -15,7 +15,7 @@ import { Notice, ProblemNotice } from "./notice";
 export function SoftArm() {
   const soft = robotState.value === "guiding";
   const why = useComputed(() => whyNotReady(robot.value, connection.value, true));
-  const handBusy = useComputed(() => (robot.value?.hand ?? "idle") !== "idle");
+  const handBusy = useComputed(() => robot.value?.hand === "returning");
   const toggle = useAction(async () => {
     await setLeadThrough(robotId.peek(), !soft);
   });

@@ -1,11 +1,14 @@
 // Leading the virtual arm by its tool: where a finger wants the flange goes over the live socket,
 // at a steady pace while it is held, and so does the letting go.
 import { signal } from "@preact/signals";
-import type { DragRefused } from "../api/types";
+import type { Vec3 } from "../arm3d/vector";
+import type { DragMessage, LiveMessage } from "../api/types";
 
-/** The server takes at most 30 in a second. It is told again while the finger rests: a phone that
- *  falls silent lets go of the arm. */
+/** 25 a second. The server is told again while the finger rests: a phone that falls silent lets go
+ *  of the arm. */
 export const EVERY_MS = 40;
+
+type DragRefused = Extract<LiveMessage, { type: "drag_refused" }>;
 
 /** Why the arm did not follow the last drag; null when it did. */
 export const dragRefused = signal<DragRefused | null>(null);
@@ -13,12 +16,10 @@ export const dragRefused = signal<DragRefused | null>(null);
 /** Whether the last drag ended because the phone lost its connection. */
 export const dragLost = signal(false);
 
+/** Where the flange shall be, and how it shall be turned from where it was taken. */
 export interface DragTarget {
-  /** Middle of the flange in the frame of the robot's base. */
-  tool_mm: readonly number[];
-  /** How the flange is turned from where it was taken: about the axis with these parts in its own
-   *  frame, by its length. */
-  turn_deg?: readonly number[];
+  tool_mm: Vec3;
+  turn_deg?: Vec3;
 }
 
 export class ArmDrag {
@@ -26,7 +27,7 @@ export class ArmDrag {
   private pace: ReturnType<typeof setInterval> | undefined;
 
   /** `send` says whether there was a connection. */
-  constructor(private readonly send: (message: object) => boolean) {}
+  constructor(private readonly send: (message: DragMessage) => boolean) {}
 
   get held(): boolean {
     return this.pace !== undefined;
@@ -56,8 +57,14 @@ export class ArmDrag {
   }
 
   private tell(): void {
-    if (this.target === null || this.send({ type: "drag", ...this.target })) return;
+    if (this.target === null || this.send(messageOf(this.target))) return;
     dragLost.value = true;
     this.end();
   }
 }
+
+const messageOf = ({ tool_mm, turn_deg }: DragTarget): DragMessage => ({
+  type: "drag",
+  tool_mm: [...tool_mm],
+  ...(turn_deg ? { turn_deg: [...turn_deg] } : {}),
+});

@@ -3,6 +3,7 @@ import { useSignal, type Signal } from "@preact/signals";
 import { useCallback, useEffect, useRef } from "preact/hooks";
 import { asProblem, type Problem } from "../api/problem";
 import { snapshots } from "./live";
+import { give } from "./signals-to-hand";
 
 export interface Load {
   loading: boolean;
@@ -45,7 +46,10 @@ export function useAction(action: () => Promise<void>): Action {
     busy.value = true;
     problem.value = null;
     action()
-      .catch((error: unknown) => (problem.value = asProblem(error)))
+      .catch((error: unknown) => {
+        problem.value = asProblem(error);
+        give("refused");
+      })
       .finally(() => (busy.value = false));
   };
   return {

@@ -9,6 +9,7 @@ import { inOurWords } from "../words";
 import { ArmDrag, dragRefused } from "./arm-drag";
 import { demonstrations, jobs, models, reproductions } from "./entities";
 import { phoneId, phoneName } from "./phone";
+import { keepRobot, lastKnown } from "./last-known";
 import { robotId } from "./robots";
 
 export const connection = signal<ConnectionState>("lost");
@@ -28,6 +29,22 @@ export const isVirtual = computed(() => robot.value?.kind === "virtual");
 let socket: LiveSocket | null = null;
 let watched = "";
 let ticking = false;
+let listening = false;
+
+function tick(): void {
+  if (!ticking) setInterval(() => (nowMs.value = Date.now()), 250);
+  ticking = true;
+}
+
+/** Shows what this phone heard last, for a start without the server. */
+export function showLastKnown(): void {
+  const known = lastKnown(Date.now());
+  if (known === null || robot.peek() !== null) return;
+  robot.value = known.view;
+  robotAtMs.value = known.atMs;
+  nowMs.value = Date.now();
+  tick();
+}
 
 /** Follows this robot; nothing of another one is shown any more. */
 export function startLive(id: string): void {
@@ -38,6 +55,8 @@ export function startLive(id: string): void {
     recentJoints.clear();
   }
   if (socket === null) {
+    // What was known from an earlier day is no state to work with.
+    robot.value = null;
     const scheme = location.protocol === "https:" ? "wss:" : "ws:";
     const who = new URLSearchParams({ robot: id, phone: phoneId, phone_name: phoneName.peek() });
     socket = new LiveSocket(`${scheme}//${location.host}/api/v1/live?${who}`, {
@@ -46,9 +65,9 @@ export function startLive(id: string): void {
     });
     watched = id;
   }
-  if (!ticking) {
-    ticking = true;
-    setInterval(() => (nowMs.value = Date.now()), 250);
+  tick();
+  if (!listening) {
+    listening = true;
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "visible") socket?.open();
     });
@@ -116,5 +135,6 @@ function receive(message: LiveMessage): void {
 function takeRobot(view: RobotView): void {
   robot.value = view;
   robotAtMs.value = Date.now();
+  keepRobot(view, robotAtMs.value);
   if (view.joints_deg) recentJoints.push((performance.now() - view.age_ms) / 1000, view.joints_deg);
 }

@@ -4,6 +4,7 @@ import * as api from "../api/endpoints";
 import { whenUnauthorised } from "../api/client";
 import type { Session } from "../api/types";
 import { pairingCode } from "../router";
+import { takeCode } from "./joining";
 import { go } from "./navigation";
 import { loadRobots } from "./robots";
 
@@ -32,6 +33,7 @@ export async function beginSession(): Promise<void> {
     const known = session.peek();
     if (known?.paired) session.value = { ...known, paired: false };
   });
+  takeCode();
   const code = pairingCode(location.hash);
   if (code !== null) go({ page: "teach" }, true);
   await loadSession();

@@ -10,7 +10,7 @@ import { it as italian } from "./it";
 const OTHERS: Record<string, unknown> = { de, fr, it: italian };
 
 /** Words that are the same in both languages; everything else that is the same was forgotten. */
-const EVERYWHERE = ["TEAM", "min", "Android", "iPhone iPad"];
+const EVERYWHERE = ["TEAM", "min", "Android", "iPhone", "iPhone iPad"];
 const SAME: Record<string, readonly string[]> = {
   de: [
     "Code",

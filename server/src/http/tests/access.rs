@@ -38,7 +38,7 @@ async fn the_document_describes_every_route() {
     assert!(document["openapi"].as_str().unwrap().starts_with("3."));
     assert_eq!(document["servers"][0]["url"], "/api/v1");
     let routes = routes(&api).await;
-    assert_eq!(routes.len(), 69);
+    assert_eq!(routes.len(), 71);
     for (method, path) in routes {
         let answer = api.json(&method, &path, json!({})).await;
         assert_ne!(answer.status, 405, "{method} {path}");

@@ -5,6 +5,7 @@ mod agreement;
 mod assets;
 mod demonstrations;
 mod faults;
+mod join;
 mod learning;
 mod live;
 mod people;
@@ -122,6 +123,13 @@ impl Api {
             clock,
             _folder: folder,
         }
+    }
+
+    /// The server is found here from now on.
+    fn found_at(&mut self, address: &str) {
+        self.state.found_at = Some(address.parse().unwrap());
+        let client = SocketAddr::from(([192, 0, 2, 7], 50_000));
+        self.router = router(self.state.clone()).layer(MockConnectInfo(client));
     }
 
     /// Sends a request as it is.

@@ -13,6 +13,7 @@ import { useAction, useLoad } from "../../state/hooks";
 import { robot } from "../../state/live";
 import { go } from "../../state/navigation";
 import { preview, previewWayBack } from "../../state/run-setup";
+import { useWakeLock } from "../../state/wake-lock";
 import { t } from "../../texts";
 import { MotionResult } from "./motion-result";
 import { HoldButton } from "./hold-button";
@@ -36,6 +37,7 @@ export function MotionPage({ task, motion: id }: { task: string; motion: string 
 }
 
 function Moving({ motion }: { motion: string }) {
+  useWakeLock(true);
   const text = useComputed(() => JSON.stringify(robot.value?.run ?? null));
   const run = JSON.parse(text.value) as RobotView["run"] | null;
   const phases: Record<string, string> = t.run.phases;

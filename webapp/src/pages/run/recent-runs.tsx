@@ -24,15 +24,11 @@ export function RecentRuns({ task }: { task: string }) {
       <h2>{t.feedback.recent}</h2>
       <ul class="rows">
         {latest.map((one) => (
-          <RowLink
-            key={one.id}
-            to={{ page: "motion", task, motion: one.id }}
-            label={t.feedback.openRun(moment(one.created_at), t.run.states[one.state])}
-          >
+          <RowLink key={one.id} to={{ page: "motion", task, motion: one.id }}>
             <span class="row-name">
-              <strong>{moment(one.created_at)}</strong>
+              <strong>{moment(one.created_at)}</strong>{" "}
               <span class="row-states">
-                <RunState state={one.state} />
+                <RunState state={one.state} />{" "}
                 {one.outcome && <Worked worked={one.outcome.worked} />}
               </span>
             </span>

@@ -6,11 +6,13 @@ import { ProblemNotice } from "../../components/notice";
 import { Page } from "../../components/page";
 import { demonstrations } from "../../state/entities";
 import { useAction } from "../../state/hooks";
+import { useWakeLock } from "../../state/wake-lock";
 import { t } from "../../texts";
 import { PausedView, usePlace } from "./paused-view";
 import { RecordingView } from "./recording-view";
 
 export function OpenTake({ take }: { take: Demonstration }) {
+  useWakeLock(true);
   const stop = useAction(async () => demonstrations.put(await closeDemonstration(take.id, "stop")));
   const pause = useAction(async () => demonstrations.put(await pauseRecording(take.id)));
   const resume = useAction(async () => demonstrations.put(await resumeRecording(take.id)));

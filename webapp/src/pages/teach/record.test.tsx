@@ -1,6 +1,7 @@
 import { render } from "preact";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { RobotView } from "../../api/types";
+import { leader } from "../../state/hand-script";
 import { connection, robot } from "../../state/live";
 import { recordAtOnce } from "../../state/next-take";
 import { t } from "../../texts";
@@ -59,11 +60,23 @@ test("the next take of a real arm waits until it is ready, and makes it soft to 
 });
 
 test("a virtual hand needs nobody to bring the arm back", async () => {
+  leader.value = "f1";
   robot.value = view("virtual", "idle");
   recordAtOnce("t");
   render(<RecordPage task="t" />, place);
   await vi.waitFor(() => expect(place.querySelector(".count")!.textContent).toBe("3"));
   expect(asked).toEqual([]);
+});
+
+test("whoever leads the virtual arm by a finger brings it back like a real one", async () => {
+  leader.value = "self";
+  robot.value = view("virtual", "idle");
+  recordAtOnce("t");
+  render(<RecordPage task="t" />, place);
+  await vi.waitFor(() => expect(place.textContent).toContain(t.teaching.next.bringBack));
+  expect(asked).toEqual([expect.stringContaining('/lead-through {"active":true}')]);
+  button(t.app.cancel)!.click();
+  await vi.waitFor(() => expect(button(t.teach.startRecording)).toBeDefined());
 });
 
 test("a page that is only opened makes no arm soft", async () => {

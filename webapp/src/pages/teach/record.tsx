@@ -16,6 +16,8 @@ import { go } from "../../state/navigation";
 import { isAtOnce } from "../../state/next-take";
 import { whyNotReady } from "../../state/robot-status";
 import { robotId } from "../../state/robots";
+import { useCountInTicks } from "../../state/signals-to-hand";
+import { useWakeLock } from "../../state/wake-lock";
 import { t } from "../../texts";
 import { BringBack, CountIn, useCountIn } from "./count-in";
 
@@ -62,6 +64,8 @@ export function RecordPage({ task }: { task: string }) {
     counter.start(byScript ? COUNT_FROM : bringBack);
   });
 
+  useWakeLock(counter.left !== null || record.busy);
+  useCountInTicks(counter.left);
   if (counter.left !== null && softened.current)
     return (
       <BringBack

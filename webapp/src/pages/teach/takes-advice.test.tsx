@@ -88,7 +88,10 @@ test("there is a word while the takes are compared, then the advice and a mark f
   answer(body, 0);
   await vi.waitFor(() => expect(words()).toBe("Take 2 differs from the others."));
   const rows = [...place.querySelectorAll("a")].map((row) => row.getAttribute("aria-label"));
-  expect(rows).toEqual(["Take 1, Kept, Agrees", "Take 2, Kept, Differs most at joint 4"]);
+  expect(rows).toEqual([
+    "Take 1, Kept, Agrees, 5.0 s",
+    "Take 2, Kept, Differs most at joint 4, 5.0 s",
+  ]);
   expect(place.querySelectorAll("a")[1]!.textContent).toContain("Differs most at joint 4");
 });
 

@@ -5,6 +5,7 @@ import { Page } from "../../components/page";
 import { OpenWork } from "../../components/open-work";
 import { UndoNotice } from "../../components/undo-notice";
 import { lastDeleted, restoreTask } from "../../state/decisions";
+import { PhoneCorner } from "../../components/phone-corner";
 import { loadOverview, tasks } from "../../state/entities";
 import { useLoad } from "../../state/hooks";
 import { t } from "../../texts";
@@ -42,6 +43,7 @@ export function TeachPage() {
           <TaskRow key={task.id} task={task} />
         ))}
       </ul>
+      <PhoneCorner />
     </Page>
   );
 }

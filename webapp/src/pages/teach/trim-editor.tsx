@@ -22,7 +22,7 @@ export function usedOf(take: Demonstration): Trim {
 
 /** One end moved to a time, within the take and away from the other end. */
 export function moved(span: Trim, end: keyof Trim, toS: number, lengthS: number): Trim {
-  const round = (value: number) => Math.round(value / STEP_S) * STEP_S;
+  const round = (value: number) => Math.round(value * 10) / 10;
   if (end === "from_s") {
     const latest = Math.max(0, span.to_s - LEAST_S);
     return { ...span, from_s: Math.min(Math.max(0, round(toS)), latest) };

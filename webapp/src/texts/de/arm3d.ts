@@ -2,7 +2,7 @@
 import type { Texts } from "..";
 
 export const arm3d: Texts["arm3d"] = {
-  loading: "Das Bild wird geholt…",
+  loading: "Das Bild wird geladen…",
   missing: "Dieses Telefon kann den Arm nicht als Bild zeigen. Kurven und Zahlen zeigen dasselbe.",
   tool: (forward, left, up) =>
     `Das Werkzeug ist ${forward} cm vor, ${left} cm links von und ${up} cm über dem Sockel.`,
@@ -45,7 +45,7 @@ export const arm3d: Texts["arm3d"] = {
     tiltLeft: "Links kippen",
     tiltRight: "Rechts kippen",
     tiltBack: "Zu Ihnen kippen",
-    tiltAway: "Weg kippen",
+    tiltAway: "Von Ihnen weg kippen",
     lost: "Das Telefon ist nicht verbunden. Der Arm folgt jetzt nicht.",
   },
   lead: {

@@ -13,7 +13,6 @@ export const feedback: Texts["feedback"] = {
   saving: "Wird gespeichert…",
 
   recent: "Letzte Ausführungen",
-  openRun: (when: string, state: string) => `Ausführung vom ${when}: ${state}`,
 
   invite: "Fünf kurze Fragen",
   inviteDetail: "Wie finden Sie die Arbeit mit dem Arm? Es werden keine Namen gespeichert.",

@@ -1,5 +1,4 @@
-// Deutsche Wörter zum Anlernen in einem Zug: nächste Aufnahme, Pause, Schneiden, Bilder, Zurück,
-// Urteil.
+// German words of teaching in one go: the next take, pause, cutting, pictures, undo, the verdict.
 import type { Texts } from "..";
 
 export const teaching: Texts["teaching"] = {
@@ -13,7 +12,7 @@ export const teaching: Texts["teaching"] = {
     bringBack: "Bringen Sie den Arm zum Anfang der Bewegung zurück. Die Handführung ist an.",
     begins: "Aufnahme beginnt in",
     now: "Jetzt aufnehmen",
-    more: "10 s mehr",
+    more: "Noch 10 s",
     softening: "Handführung wird eingeschaltet…",
   },
 
@@ -68,7 +67,7 @@ export const teaching: Texts["teaching"] = {
   },
 
   undo: {
-    press: "Zurücknehmen",
+    press: "Rückgängig",
     undoing: "Wird zurückgenommen…",
     kept: (take) => `Aufnahme ${take} ist behalten.`,
     discarded: (take) => `Aufnahme ${take} ist verworfen.`,

@@ -11,7 +11,6 @@ export const feedback = {
   saving: "Saving…",
 
   recent: "Last runs",
-  openRun: (when: string, state: string) => `Run of ${when}: ${state}`,
 
   invite: "Five short questions",
   inviteDetail: "What do you think of working with the arm? No names are kept.",

@@ -6,6 +6,7 @@ import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
 import { positions } from "./positions";
+import { phones } from "./phones";
 import { robot } from "./robot";
 import { robots } from "./robots";
 import { run } from "./run";
@@ -22,6 +23,7 @@ export const en = {
   hold,
   language,
   positions,
+  phones,
   robot,
   robots,
   run,

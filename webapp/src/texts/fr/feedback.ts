@@ -13,7 +13,6 @@ export const feedback: Texts["feedback"] = {
   saving: "Enregistrement…",
 
   recent: "Dernières exécutions",
-  openRun: (when: string, state: string) => `Exécution du ${when} : ${state}`,
 
   invite: "Cinq questions courtes",
   inviteDetail: "Que pensez-vous du travail avec le bras ? Aucun nom n'est gardé.",

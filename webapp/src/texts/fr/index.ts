@@ -7,6 +7,7 @@ import { dashboard } from "./dashboard";
 import { feedback } from "./feedback";
 import { flight } from "./flight";
 import { language } from "./language";
+import { phones } from "./phones";
 import { positions } from "./positions";
 import { robot } from "./robot";
 import { robots } from "./robots";
@@ -23,6 +24,7 @@ export const fr: Texts = {
   flight,
   hold,
   language,
+  phones,
   positions,
   robot,
   robots,

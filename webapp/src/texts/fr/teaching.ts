@@ -1,5 +1,4 @@
-// Mots français pour apprendre d'un trait : exemple suivant, pause, coupe, images, annulation,
-// verdict.
+// French words of teaching in one go: the next take, pause, cutting, pictures, undo, the verdict.
 import type { Texts } from "..";
 
 export const teaching: Texts["teaching"] = {

@@ -13,7 +13,6 @@ export const feedback: Texts["feedback"] = {
   saving: "Salvataggio…",
 
   recent: "Ultime esecuzioni",
-  openRun: (when: string, state: string) => `Esecuzione del ${when}: ${state}`,
 
   invite: "Cinque domande brevi",
   inviteDetail: "Che cosa pensa del lavoro con il braccio? Non si salvano nomi.",

@@ -1,5 +1,4 @@
-// Parole italiane per insegnare in una volta sola: esempio successivo, pausa, taglio, immagini,
-// annullamento, giudizio.
+// Italian words of teaching in one go: the next take, pause, cutting, pictures, undo, the verdict.
 import type { Texts } from "..";
 
 export const teaching: Texts["teaching"] = {
@@ -59,7 +58,7 @@ export const teaching: Texts["teaching"] = {
     title: "Immagine",
     explain: "Un'immagine aiuta a trovare il compito senza leggere.",
     take: "Scatta una foto",
-    choose: "Scegli un'immagine",
+    choose: "Scegli una foto",
     remove: "Togli l'immagine",
     removing: "Rimozione…",
     preparing: "Preparazione dell'immagine…",

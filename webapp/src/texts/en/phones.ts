@@ -1,0 +1,72 @@
+// English words for setting up phones: joining, the certificate, the app, sounds, and what is shown
+// without the server.
+export const phones = {
+  title: "Phones",
+  open: "Phones and sounds",
+  add: "Add another phone",
+  addHow:
+    "Scan this with the camera of the other phone, or open the address there and type the code.",
+  picture: "QR code that connects another phone",
+  address: "Address",
+  code: "Code",
+  fingerprint: "SHA-256 fingerprint of the certificate",
+  onlyHere:
+    "Only this computer can reach the server. Start it with --listen 0.0.0.0:8080 to let phones in.",
+  thisPhone: "This phone",
+  secured:
+    "The connection is encrypted. The screen stays on while you teach, and the app can be installed.",
+  install: "Put TEAM on the home screen",
+  installIphone: "iPhone: press Share, then “Add to Home Screen”. Type the code once more there.",
+  installed: "TEAM was opened from the home screen.",
+  soundsOn: "Sounds and vibration are on",
+  soundsOff: "Sounds and vibration are off",
+  switchOn: "Switch sounds on",
+  switchOff: "Switch sounds off",
+  setUp: "Set up this phone",
+  setUpWhy:
+    "Once on each phone: install the certificate of this cell. It is good for this cell only.",
+  whichPhone: "Which phone is it?",
+  platforms: { iphone: "iPhone", android: "Android", other: "Computer" },
+  certificate: "Get the certificate",
+  steps: {
+    iphone: [
+      "Open this page in Safari. Press “Get the certificate”, then “Allow”.",
+      "Open Settings, press “Profile Downloaded”, then “Install”.",
+      "In Settings go to General, About, Certificate Trust Settings. Switch the TEAM certificate on.",
+      "Come back to this page.",
+    ],
+    android: [
+      "Press “Get the certificate”. It is saved in Downloads.",
+      "Open Settings and search for “CA certificate”. Press “Install anyway”.",
+      "Choose the file team-cell.crt in Downloads.",
+      "Come back to this page in Chrome.",
+    ],
+    other: [
+      "Press “Get the certificate” and open the file.",
+      "Add it to the trusted certificate authorities of the browser.",
+      "Come back to this page.",
+    ],
+  },
+  trusted: "The certificate is installed",
+  notTrusted: "Not installed yet",
+  looking: "Looking for the certificate…",
+  openSecured: "Open TEAM",
+  goOn: "Go on without",
+  goOnMeans:
+    "Without the certificate everything works, but the screen may go dark and the app can't be installed.",
+  insecure: "This connection is not encrypted",
+  insecureMeans: "The screen may go dark while you teach, and the app can't be installed.",
+  insecureAsk: "Ask the person who set up TEAM to start it with --https.",
+  dismiss: "Understood",
+  update: "A new version of TEAM is ready",
+  updateWhen: "Load it when nothing is under way. Otherwise it comes with the next start.",
+  reload: "Load it now",
+  offlineTitle: "No connection",
+  offlineWhat: "This phone does not reach the server. What is shown is old.",
+  lastKnown: "Last known state",
+  heardAt: "Heard at",
+  state: "State",
+  robot: "Robot",
+  offlineWait: "It goes on by itself as soon as the server answers. Nothing is sent later.",
+  reconnect: "Try again",
+};
