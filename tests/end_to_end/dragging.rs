@@ -116,11 +116,11 @@ async fn a_circle_of_the_finger_is_recorded_as_a_take_of_hand_guiding() {
 
 fn follows_the_circle(trajectory: &Value, from: [f64; 3]) {
     let t_s = numbers(&trajectory["t_s"]);
-    let places: Vec<_> = trajectory["joints_deg"]
-        .as_array()
-        .expect("angles")
-        .iter()
-        .map(|angles| JointAngles(numbers(angles).try_into().expect("six angles")))
+    // One list for each joint.
+    let by_joint = trajectory["joints_deg"].as_array().expect("angles");
+    let by_joint: Vec<_> = by_joint.iter().map(numbers).collect();
+    let places: Vec<_> = (0..t_s.len())
+        .map(|at| JointAngles(std::array::from_fn(|joint| by_joint[joint][at])))
         .collect();
     assert!(t_s.len() > 200, "{} samples", t_s.len());
     let [x, y, z] = from;
