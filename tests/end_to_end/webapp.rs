@@ -11,7 +11,7 @@ use crate::steps::{alone, idle_arm, on_the_network, pairing_code};
 use crate::{PROGRAM, SCRATCH};
 
 /// Enough for a whole round on the pages, with takes and trainings, on a busy machine.
-const LIMIT: Duration = Duration::from_secs(1_200);
+const LIMIT: Duration = Duration::from_secs(1_800);
 
 fn folder(below: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(below)

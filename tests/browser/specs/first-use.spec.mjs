@@ -80,7 +80,7 @@ test("twelve presses lead from the first page to a motion that the arm has made"
   for (let take = 1; take <= 3; take += 1) {
     await page.getByRole("timer").waitFor();
     await page.locator('figure.arm3d[data-state="shown"][data-tool-at]').waitFor();
-    await inspect(page, `first-use-recording-${take}`);
+    await inspect(page, "first-use-recording");
     await leadThere(page);
     await tap(button(page, "Stop recording"));
     const another = button(page, "Keep, one more");

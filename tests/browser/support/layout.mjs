@@ -12,8 +12,14 @@ const LOOKS = [
   { suffix: "", viewport: USUAL, colorScheme: "light" },
 ];
 
-/** Checks the screen in all looks and keeps a picture of each; the phone's own look is left. */
+/** What this spec has looked at: a take is recorded three times, its screens are the same ones. */
+const inspected = new Set();
+
+/** Checks the screen in all looks and keeps a picture of each, once for each name; the phone's own
+ *  look is left. */
 export async function inspect(page, name) {
+  if (inspected.has(name)) return;
+  inspected.add(name);
   const own = page.viewportSize();
   for (const { suffix, viewport, colorScheme } of LOOKS) {
     await look(page, viewport, colorScheme);

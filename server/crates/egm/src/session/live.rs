@@ -112,7 +112,8 @@ impl Live {
         if lost > config.max_lost {
             self.refuse(Hold::Gap, config);
         }
-        if self.is_guided() && !self.can_have_gone_to(&complete.measured, steps, config) {
+        if self.is_guided() && !self.can_have_gone_to(&complete.measured, steps, waited_us, config)
+        {
             self.refuse(Hold::Implausible, config);
         } else {
             self.measured = complete.measured;
@@ -136,17 +137,21 @@ impl Live {
     pub(super) fn is_continued_by(&self, next: &Complete, config: &SessionConfig) -> bool {
         let steps = next.sequence.steps_since(self.last_sequence);
         (1..=config.max_lost.saturating_add(1)).contains(&steps)
-            && self.can_have_gone_to(&next.measured, steps, config)
+            && self.can_have_gone_to(&next.measured, steps, 0, config)
     }
 
-    /// Whether the arm can have gone from where it was to `to` within so many cycles.
+    /// Whether the arm can have gone from where it was to `to` within so many cycles, or in the
+    /// time that has passed here meanwhile: a controller that was held up sends one message for
+    /// all that time.
     pub(super) fn can_have_gone_to(
         &self,
         to: &JointAngles,
         steps: i32,
+        waited_us: u64,
         config: &SessionConfig,
     ) -> bool {
-        let time_s = f64::from(steps + 1) * self.elapsed.period_us() as f64 * 1e-6;
+        let period_s = self.elapsed.period_us() as f64 * 1e-6;
+        let time_s = period_s + (f64::from(steps) * period_s).max(waited_us as f64 * 1e-6);
         let ways = to.0.iter().zip(&self.measured.0);
         ways.zip(&config.max_speed_deg_s)
             .all(|((to, from), max)| (to - from).abs() <= max * time_s)
