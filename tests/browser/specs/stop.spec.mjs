@@ -46,11 +46,11 @@ test("a motion is paused, goes on, is stopped, and can be led back or started ag
   await inspect(page, "run-stopped");
   await button(page, "Back to the start").click();
   await heading(page, "Planned motion").waitFor();
-  assert.ok(await button(page, "Get ready").isVisible());
+  assert.ok(await button(page, "Start").isVisible());
   await page.goBack();
   await button(page, "Run again").click();
   await heading(page, "Planned motion").waitFor();
-  assert.ok(await button(page, "Get ready").isVisible());
+  assert.ok(await button(page, "Start").isVisible());
   await hangUp(phone);
 });
 

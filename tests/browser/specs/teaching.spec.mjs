@@ -153,7 +153,7 @@ test("a task has a picture from its beginning, small, and it can be taken away",
   await button(page, "Remove the picture").click();
   await page.getByText("A picture helps to find the task without reading.").waitFor();
   await linkNamed(page, "Teach").click();
-  await row.getByText("WA", { exact: true }).waitFor();
+  await row.locator('[data-initials="WA"]').waitFor();
   await hangUp(phone);
 });
 
