@@ -15,7 +15,7 @@ export const phones: typeof en = {
     "Nur dieser Computer erreicht den Server. Starten Sie ihn mit --listen 0.0.0.0:8080, damit Telefone ihn erreichen.",
   thisPhone: "Dieses Telefon",
   secured:
-    "Die Verbindung ist verschlüsselt. Der Bildschirm bleibt beim Teachen an, und die App lässt sich installieren.",
+    "Die Verbindung ist verschlüsselt. Der Bildschirm bleibt beim Anlernen an, und die App lässt sich installieren.",
   install: "TEAM auf den Startbildschirm",
   installIphone:
     "iPhone: Drücken Sie auf „Teilen“, dann auf „Zum Home-Bildschirm“. Geben Sie dort den Code noch einmal ein.",
@@ -58,7 +58,7 @@ export const phones: typeof en = {
     "Ohne Zertifikat geht alles, aber der Bildschirm kann dunkel werden, und die App lässt sich nicht installieren.",
   insecure: "Diese Verbindung ist nicht verschlüsselt",
   insecureMeans:
-    "Der Bildschirm kann beim Teachen dunkel werden, und die App lässt sich nicht installieren.",
+    "Der Bildschirm kann beim Anlernen dunkel werden, und die App lässt sich nicht installieren.",
   insecureAsk: "Bitten Sie die Person, die TEAM eingerichtet hat, es mit --https zu starten.",
   dismiss: "Verstanden",
   update: "Eine neue Version von TEAM ist bereit",

@@ -4,7 +4,7 @@ import type { phones as en } from "../en/phones";
 export const phones: typeof en = {
   title: "Telefoni",
   open: "Telefoni e suoni",
-  add: "Aggiungere un altro telefono",
+  add: "Aggiungi un altro telefono",
   addHow:
     "Inquadri questo con la fotocamera dell’altro telefono, oppure apra lì l’indirizzo e digiti il codice.",
   picture: "Codice QR che collega un altro telefono",
@@ -16,35 +16,35 @@ export const phones: typeof en = {
   thisPhone: "Questo telefono",
   secured:
     "La connessione è cifrata. Lo schermo resta acceso mentre insegna, e l’app si può installare.",
-  install: "Mettere TEAM nella schermata Home",
+  install: "Metti TEAM nella schermata Home",
   installIphone:
     "iPhone: prema Condividi, poi “Aggiungi alla schermata Home”. Lì digiti il codice ancora una volta.",
   installed: "TEAM è stato aperto dalla schermata Home.",
   soundsOn: "Suoni e vibrazione attivi",
   soundsOff: "Suoni e vibrazione disattivati",
-  switchOn: "Attivare i suoni",
-  switchOff: "Disattivare i suoni",
-  setUp: "Preparare questo telefono",
+  switchOn: "Attiva i suoni",
+  switchOff: "Disattiva i suoni",
+  setUp: "Prepara questo telefono",
   setUpWhy:
     "Una volta su ogni telefono: installi il certificato di questa cella. Vale solo per questa cella.",
   whichPhone: "Quale telefono è?",
   platforms: { iphone: "iPhone", android: "Android", other: "Computer" },
-  certificate: "Scaricare il certificato",
+  certificate: "Scarica il certificato",
   steps: {
     iphone: [
-      "Apra questa pagina in Safari. Prema “Scaricare il certificato”, poi “Consenti”.",
+      "Apra questa pagina in Safari. Prema “Scarica il certificato”, poi “Consenti”.",
       "Apra Impostazioni, prema “Profilo scaricato”, poi “Installa”.",
       "In Impostazioni vada a Generali, Info, Attendibilità certificati. Attivi il certificato TEAM.",
       "Torni a questa pagina.",
     ],
     android: [
-      "Prema “Scaricare il certificato”. Viene salvato in Download.",
+      "Prema “Scarica il certificato”. Viene salvato in Download.",
       "Apra Impostazioni e cerchi “certificato CA”. Prema “Installa comunque”.",
       "Scelga il file team-cell.crt in Download.",
       "Torni a questa pagina in Chrome.",
     ],
     other: [
-      "Prema “Scaricare il certificato” e apra il file.",
+      "Prema “Scarica il certificato” e apra il file.",
       "Lo aggiunga alle autorità di certificazione attendibili del browser.",
       "Torni a questa pagina.",
     ],
@@ -52,8 +52,8 @@ export const phones: typeof en = {
   trusted: "Il certificato è installato",
   notTrusted: "Non ancora installato",
   looking: "Ricerca del certificato…",
-  openSecured: "Aprire TEAM",
-  goOn: "Continuare senza",
+  openSecured: "Apri TEAM",
+  goOn: "Continua senza",
   goOnMeans:
     "Senza certificato funziona tutto, ma lo schermo può spegnersi e l’app non si può installare.",
   insecure: "Questa connessione non è cifrata",
@@ -62,7 +62,7 @@ export const phones: typeof en = {
   dismiss: "Ho capito",
   update: "Una nuova versione di TEAM è pronta",
   updateWhen: "La carichi quando non c’è niente in corso. Altrimenti arriva al prossimo avvio.",
-  reload: "Caricare adesso",
+  reload: "Carica adesso",
   offlineTitle: "Nessuna connessione",
   offlineWhat: "Questo telefono non raggiunge il server. Ciò che vede è vecchio.",
   lastKnown: "Ultimo stato noto",
@@ -70,5 +70,5 @@ export const phones: typeof en = {
   state: "Stato",
   robot: "Robot",
   offlineWait: "Continua da solo appena il server risponde. Niente viene inviato in seguito.",
-  reconnect: "Riprovare",
+  reconnect: "Riprova",
 };

@@ -25,7 +25,7 @@ export const robot: Texts["robot"] = {
   acknowledge: "Ho controllato il robot",
   acknowledging: "Richiesta al robot…",
   soft: {
-    title: "Muovere il braccio a mano",
+    title: "Muovi il braccio a mano",
     explain:
       "Attivi la guida manuale per riportare il braccio all'inizio. Intanto non si registra nulla.",
     on: "Attiva la guida manuale",
