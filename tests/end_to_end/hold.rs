@@ -93,8 +93,14 @@ async fn the_arm_moves_only_while_the_button_is_held() {
     let stands = in_phase(&client, "paused", 0.0).await;
     assert_eq!(stands["run"]["held"], false);
 
-    // Held again, it goes on from there to the end.
+    // Held again, it goes on from there to the end, whatever else is asked of the arm meanwhile.
     let finger = Finger::press(live, &run);
+    in_phase(&client, "approach", 0.0).await;
+    for hold in [true, false] {
+        let another = json!({ "plan": plan["plan"], "hold": hold });
+        let refused = phone.post("/reproductions", another).await;
+        assert_eq!(refused.problem(&[409])["code"], "robot_busy");
+    }
     let finished = ended(&client, &run).await;
     finger.fall_silent().await;
     assert_eq!(finished["state"], "succeeded", "{finished}");

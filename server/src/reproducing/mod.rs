@@ -215,7 +215,6 @@ impl Reproducer {
             .store
             .create_reproduction(new, tools.clock.now())
             .await?;
-        self.set_held(request.hold.then_some(reproduction.id));
         let run = Arc::clone(&plan.plan);
         let begun = if request.hold {
             tools.robot.run_while_held(run).await
@@ -224,6 +223,8 @@ impl Reproducer {
         };
         match begun {
             Ok(handle) => {
+                // Only now: a start that is refused must not let go of the motion that runs.
+                self.set_held(request.hold.then_some(reproduction.id));
                 tools.events.tell(&reproduction);
                 let watch = watch(tools.clone(), reproduction.id, plan, handle);
                 *last = Some(tokio::spawn(watch));
