@@ -8,6 +8,7 @@ use robot::{RobotState, RobotView};
 use serde::Deserialize;
 use utoipa::ToSchema;
 
+use super::auth::Actor;
 use super::error::{ApiError, Problem};
 use super::extract::{Json, Path};
 use super::robot::RobotAnswer;
@@ -111,6 +112,7 @@ pub enum ControlAction {
 ))]
 pub async fn change(
     State(state): State<AppState>,
+    Actor(actor): Actor,
     OnPhone(phone): OnPhone,
     Path(robot): Path<String>,
     Json(ControlWish { action }): Json<ControlWish>,
@@ -124,5 +126,12 @@ pub async fn change(
         ControlAction::Keep => arm.control.answer(&phone, false, moment)?,
         ControlAction::Release => arm.control.release(&phone, moment)?,
     }
+    let what = match action {
+        ControlAction::Ask => "asked for control",
+        ControlAction::Give => "gave control away",
+        ControlAction::Keep => "kept control",
+        ControlAction::Release => "released control",
+    };
+    state.audit(&actor, what, &arm.id).await;
     Ok(Json(RobotAnswer::now(arm)))
 }

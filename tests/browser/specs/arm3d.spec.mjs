@@ -2,9 +2,10 @@
 // the virtual arm follows a finger and buttons.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { canvas, pictureShown, shownPose, toolOnScreen } from "../support/arm-picture.mjs";
 import { taskFromFiles } from "../support/files.mjs";
 import { inspect } from "../support/layout.mjs";
-import { hangUp, newPhone, openApp, openBrowser, until } from "../support/phone.mjs";
+import { hangUp, newPhone, openApp, openBrowser, until, withoutWebGl } from "../support/phone.mjs";
 import {
   button,
   heading,
@@ -20,25 +21,6 @@ before(async () => {
   browser = await openBrowser();
 });
 after(() => browser.close());
-
-const figure = (page) => page.locator("figure.arm3d");
-const canvas = (page) => page.locator("figure.arm3d canvas");
-
-async function pictureShown(page) {
-  await page.locator('figure.arm3d[data-state="shown"][data-pose]').waitFor();
-}
-
-/** The joint angles of the arm in the picture. */
-async function shownPose(page) {
-  return (await figure(page).getAttribute("data-pose")).split(" ").map(Number);
-}
-
-/** Where the tool is on the screen. */
-async function toolOnScreen(page) {
-  const [x, y] = (await figure(page).getAttribute("data-tool-at")).split(" ").map(Number);
-  const box = await canvas(page).boundingBox();
-  return { x: box.x + x, y: box.y + y };
-}
 
 /** Waits until the pixels of the picture are others than before. */
 async function repainted(page, before) {
@@ -98,12 +80,7 @@ test("the planned motion is a picture that a slider and buttons move", async () 
 test("without WebGL the pages say so and go on", async () => {
   const phone = await newPhone(browser);
   const { page } = phone;
-  await page.addInitScript(() => {
-    HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
-      apply: (real, element, args) =>
-        args[0].startsWith("webgl") ? null : real.apply(element, args),
-    });
-  });
+  await withoutWebGl(page);
   const task = await taskFromFiles("Without a picture");
   await openApp(page, `#/teach/${task.id}`);
   await page.getByRole("link", { name: /^Take 1, / }).click();

@@ -18,7 +18,7 @@ import {
 } from "../support/budgets.mjs";
 import { get } from "../support/api.mjs";
 import { taskFromFiles } from "../support/files.mjs";
-import { hangUp, newPhone, openApp, openBrowser } from "../support/phone.mjs";
+import { hangUp, newPhone, openApp, openBrowser, withoutWebGl } from "../support/phone.mjs";
 import { robotReady } from "../support/steps.mjs";
 
 /** An odd number, for a median that was measured. */
@@ -64,6 +64,8 @@ test("the Teach page is usable after few bytes, and the view of the arm costs fe
 test("a touch is answered by the next picture within a tenth of a second on a slow phone", async (run) => {
   const phone = await newPhone(browser);
   const { page } = phone;
+  // A phone draws the arm on its graphics processor; here the same slowed-down cores would have to,
+  // and only that would be measured.
   await withoutWebGl(page);
   await openApp(page);
   await robotReady(page);
@@ -81,17 +83,6 @@ test("a touch is answered by the next picture within a tenth of a second on a sl
   assert.ok(time < INTERACTION_MS, `${name} takes ${time} ms`);
   await hangUp(phone);
 });
-
-/** A phone draws the arm on its graphics processor; here the same slowed-down cores would have to,
- *  and only that would be measured. */
-async function withoutWebGl(page) {
-  await page.addInitScript(() => {
-    HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
-      apply: (real, element, args) =>
-        args[0].startsWith("webgl") ? null : real.apply(element, args),
-    });
-  });
-}
 
 /** Presses around in the app; for each kind of press the median of its times. */
 async function measure(page) {

@@ -2,6 +2,7 @@
 // press. Only the task's name is typed; the arm is led by a finger in its picture.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { pictureShown, toolOnScreen } from "../support/arm-picture.mjs";
 import { inspect } from "../support/layout.mjs";
 import { hangUp, newPhone, openApp, openBrowser, until } from "../support/phone.mjs";
 import { button, heading, linkNamed, robotReady } from "../support/steps.mjs";
@@ -32,14 +33,6 @@ function counted(page) {
       await page.mouse.up();
     },
   };
-}
-
-/** Where the tool is on the screen. */
-async function toolOnScreen(page) {
-  const picture = page.locator('figure.arm3d[data-state="shown"][data-tool-at]');
-  const [x, y] = (await picture.getAttribute("data-tool-at")).split(" ").map(Number);
-  const box = await picture.locator("canvas").boundingBox();
-  return { x: box.x + x, y: box.y + y };
 }
 
 /** Leads the arm out, down and back to where it was, which is how a worker shows a motion that the
@@ -79,7 +72,7 @@ test("twelve presses lead from the first page to a motion that the arm has made"
   await tap(button(page, "Record"));
   for (let take = 1; take <= 3; take += 1) {
     await page.getByRole("timer").waitFor();
-    await page.locator('figure.arm3d[data-state="shown"][data-tool-at]').waitFor();
+    await pictureShown(page);
     await inspect(page, "first-use-recording");
     await leadThere(page);
     await tap(button(page, "Stop recording"));

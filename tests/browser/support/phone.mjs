@@ -89,3 +89,13 @@ export async function until(page, what, condition) {
     await page.evaluate(() => new Promise(requestAnimationFrame));
   }
 }
+
+/** A phone that can draw nothing in three dimensions; to be said before the app is opened. */
+export async function withoutWebGl(page) {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
+      apply: (real, element, args) =>
+        args[0].startsWith("webgl") ? null : real.apply(element, args),
+    });
+  });
+}

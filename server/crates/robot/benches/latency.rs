@@ -5,6 +5,8 @@
 //! in turn within each cycle, so that whatever else the machine does meets both alike, and the
 //! arrival is stamped by the kernel, so that the asking side's own waking up does not count.
 
+mod load;
+
 use egm::codec;
 use egm::messages::{
     EgmFeedBack, EgmHeader, EgmJoints, EgmMciState, EgmMotorState, EgmRapidCtrlExecState, EgmRobot,
@@ -16,8 +18,6 @@ use robot::{Robot, RobotConfig, RobotKind};
 use std::io::IoSliceMut;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::os::fd::AsRawFd;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 const CYCLE: Duration = Duration::from_micros(4_000);
@@ -31,40 +31,15 @@ const WAIT_FOR_THE_LAST: Duration = Duration::from_millis(500);
 const LOCAL: SocketAddr = SocketAddr::new(std::net::IpAddr::V4(Ipv4Addr::LOCALHOST), 0);
 
 fn main() {
-    let seconds = std::env::args()
-        .skip(1)
-        .find_map(|argument| argument.parse().ok())
-        .unwrap_or(10.0);
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .worker_threads(1)
-        .enable_all()
-        .build()
-        .expect("a runtime");
-    let busy = Arc::new(AtomicBool::new(true));
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    for _ in 0..cores {
-        let busy = Arc::clone(&busy);
-        std::thread::spawn(move || compute(&busy));
-    }
+    let seconds = load::argument(10.0);
+    let runtime = load::runtime();
+    let _load = load::Load::on_every_core();
     println!(
         "robots  priority  asked     unanswered  median us: robot  echo  ratio   99.9 %: robot  echo  ratio"
     );
     for robots in [1, 8, 32] {
         for real_time in [true, false] {
             measure(&runtime, robots, real_time, seconds);
-        }
-    }
-    busy.store(false, Ordering::Relaxed);
-}
-
-/// Floating-point work at the priority of a training.
-fn compute(busy: &AtomicBool) {
-    // Without the right to it the load is only heavier.
-    let _ = rustix::process::setpriority_process(None, 19);
-    let mut x = 0.5_f64;
-    while busy.load(Ordering::Relaxed) {
-        for _ in 0..10_000 {
-            x = std::hint::black_box(x * 1.000_1 + 0.5).sqrt();
         }
     }
 }

@@ -5,6 +5,8 @@
 //! another instant of its cycle, with and without real-time priority, while every core computes at
 //! the priority of a training.
 
+mod load;
+
 use motion::JointAngles;
 use motion::gate::{ProposedMotion, approve};
 use motion::limits::RobotLimits;
@@ -12,7 +14,6 @@ use motion::plan::Plan;
 use robot::{CycleRecord, Robot, RobotConfig, RobotKind, RobotState, RunPhase};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use virtual_controller::{Config, VirtualController};
 
@@ -21,37 +22,12 @@ const TRAVEL_DEG: f64 = 20.0;
 const DURATION_S: f64 = 3.0;
 
 fn main() {
-    let stops = std::env::args()
-        .skip(1)
-        .find_map(|argument| argument.parse().ok())
-        .unwrap_or(40);
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .worker_threads(1)
-        .enable_all()
-        .build()
-        .expect("a runtime");
-    let busy = Arc::new(AtomicBool::new(true));
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    for _ in 0..cores {
-        let busy = Arc::clone(&busy);
-        std::thread::spawn(move || compute(&busy));
-    }
+    let stops = load::argument(40);
+    let runtime = load::runtime();
+    let _load = load::Load::on_every_core();
     println!("priority  stops  ms to the first slower answer: median  largest  answers before it");
     for real_time in [true, false] {
         runtime.block_on(measure(real_time, stops));
-    }
-    busy.store(false, Ordering::Relaxed);
-}
-
-/// Floating-point work at the priority of a training.
-fn compute(busy: &AtomicBool) {
-    // Without the right to it the load is only heavier.
-    let _ = rustix::process::setpriority_process(None, 19);
-    let mut x = 0.5_f64;
-    while busy.load(Ordering::Relaxed) {
-        for _ in 0..10_000 {
-            x = std::hint::black_box(x * 1.000_1 + 0.5).sqrt();
-        }
     }
 }
 

@@ -8,6 +8,7 @@ import { ProblemNotice } from "../../components/notice";
 import { reproductions } from "../../state/entities";
 import { useAction } from "../../state/hooks";
 import { t } from "../../texts";
+import { TextField } from "../../components/text-field";
 
 export function OutcomeQuestion({ motion }: { motion: Reproduction }) {
   const wanted = useSignal(true);
@@ -71,15 +72,7 @@ function Note({ motion }: { motion: Reproduction }) {
   const changed = text.value.trim() !== stored;
   return (
     <>
-      <label class="field">
-        <span>{t.feedback.note}</span>
-        <input
-          value={text.value}
-          maxLength={400}
-          autoComplete="off"
-          onInput={(event) => (text.value = event.currentTarget.value)}
-        />
-      </label>
+      <TextField label={t.feedback.note} text={text} maxLength={400} />
       {changed ? (
         <Button icon="check" busy={save.busy && t.feedback.saving} onPress={save.start}>
           {t.feedback.saveNote}

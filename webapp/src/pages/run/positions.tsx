@@ -13,6 +13,8 @@ import { robot } from "../../state/live";
 import { freeName, loadPositions, ourPositions, positions } from "../../state/positions";
 import { robotId } from "../../state/robots";
 import { t } from "../../texts";
+import { TextField } from "../../components/text-field";
+import { Asked } from "../../components/asked";
 
 export function PositionsPage({ task }: { task: string }) {
   const load = useLoad(loadPositions, robotId.value);
@@ -92,6 +94,8 @@ function Entry({ position, opened, known }: EntryProps) {
             press={t.positions.move}
             question={t.positions.moveAsk(position.name)}
             yes={t.positions.moveYes}
+            no={t.positions.no}
+            busy={t.positions.saving}
             why={known ? null : t.run.presentMissing}
             act={async () => {
               positions.put(await changePosition(position.id, { present: true }));
@@ -102,6 +106,8 @@ function Entry({ position, opened, known }: EntryProps) {
             press={t.positions.remove}
             question={t.positions.removeAsk(position.name)}
             yes={t.positions.removeYes}
+            no={t.positions.no}
+            busy={t.positions.saving}
             act={async () => {
               await deletePosition(position.id);
               positions.forget(position.id);
@@ -127,15 +133,7 @@ function Rename({ position }: { position: Position }) {
   });
   return (
     <>
-      <label class="field">
-        <span>{t.positions.name}</span>
-        <input
-          value={text.value}
-          maxLength={80}
-          autoComplete="off"
-          onInput={(event) => (text.value = event.currentTarget.value)}
-        />
-      </label>
+      <TextField label={t.positions.name} text={text} maxLength={80} />
       <Button
         icon="check"
         why={text.value.trim() === "" ? t.positions.nameMissing : null}
@@ -145,49 +143,6 @@ function Rename({ position }: { position: Position }) {
         {t.positions.rename}
       </Button>
       {rename.problem && <ProblemNotice problem={rename.problem} />}
-    </>
-  );
-}
-
-interface AskedProps {
-  icon: "move" | "bin";
-  press: string;
-  question: string;
-  yes: string;
-  why?: string | null;
-  act: () => Promise<void>;
-}
-
-/** Something that cannot be undone, so it asks first. */
-function Asked({ icon, press, question, yes, why = null, act }: AskedProps) {
-  const asking = useSignal(false);
-  const action = useAction(async () => {
-    await act();
-    asking.value = false;
-  });
-  if (!asking.value) {
-    return (
-      <Button icon={icon} onPress={() => (asking.value = true)}>
-        {press}
-      </Button>
-    );
-  }
-  return (
-    <>
-      <p class="question">{question}</p>
-      <Button
-        look="danger"
-        icon={icon}
-        why={why}
-        busy={action.busy && t.positions.saving}
-        onPress={action.start}
-      >
-        {yes}
-      </Button>
-      <Button icon="back" onPress={() => (asking.value = false)}>
-        {t.positions.no}
-      </Button>
-      {action.problem && <ProblemNotice problem={action.problem} />}
     </>
   );
 }

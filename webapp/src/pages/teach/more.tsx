@@ -13,6 +13,8 @@ import { useAction, useLoad } from "../../state/hooks";
 import { go } from "../../state/navigation";
 import { t } from "../../texts";
 import { TaskPhoto } from "./task-photo";
+import { TextField } from "../../components/text-field";
+import { Asked } from "../../components/asked";
 
 export function MorePage({ task }: { task: string }) {
   const load = useLoad(() => loadTask(task), task);
@@ -77,15 +79,7 @@ function Rename({ task, name }: { task: string; name: string }) {
   const rename = useAction(async () => tasks.put(await renameTask(task, text.value.trim())));
   return (
     <section class="card">
-      <label class="field">
-        <span>{t.teach.name}</span>
-        <input
-          value={text.value}
-          maxLength={80}
-          autoComplete="off"
-          onInput={(event) => (text.value = event.currentTarget.value)}
-        />
-      </label>
+      <TextField label={t.teach.name} text={text} maxLength={80} />
       <Button
         icon="pencil"
         why={text.value.trim() === "" ? t.teach.nameMissing : null}
@@ -100,37 +94,20 @@ function Rename({ task, name }: { task: string; name: string }) {
 }
 
 function Remove({ task }: { task: Task }) {
-  const asking = useSignal(false);
-  const remove = useAction(async () => {
-    await deleteTask(task);
-    go({ page: "teach" }, true);
-  });
   return (
     <section class="card">
-      {asking.value ? (
-        <>
-          {/* The answers are below what was pressed, perhaps out of sight. */}
-          <p ref={(question) => question?.parentElement?.scrollIntoView({ block: "end" })}>
-            {t.teach.removeAsk}
-          </p>
-          <Button
-            look="danger"
-            icon="bin"
-            busy={remove.busy && t.teach.removing}
-            onPress={remove.start}
-          >
-            {t.teach.removeYes}
-          </Button>
-          <Button icon="back" onPress={() => (asking.value = false)}>
-            {t.teach.removeNo}
-          </Button>
-        </>
-      ) : (
-        <Button icon="bin" onPress={() => (asking.value = true)}>
-          {t.teach.remove}
-        </Button>
-      )}
-      {remove.problem && <ProblemNotice problem={remove.problem} />}
+      <Asked
+        icon="bin"
+        press={t.teach.remove}
+        question={t.teach.removeAsk}
+        yes={t.teach.removeYes}
+        no={t.teach.removeNo}
+        busy={t.teach.removing}
+        act={async () => {
+          await deleteTask(task);
+          go({ page: "teach" }, true);
+        }}
+      />
     </section>
   );
 }

@@ -12,6 +12,7 @@ import { useAction } from "../../state/hooks";
 import { go } from "../../state/navigation";
 import { asAddress } from "../../state/picture";
 import { t } from "../../texts";
+import { TextField } from "../../components/text-field";
 
 export function NewTaskPage() {
   const name = useSignal("");
@@ -47,16 +48,7 @@ export function NewTaskPage() {
           if (!missing) create.start();
         }}
       >
-        <label class="field">
-          <span>{t.teach.name}</span>
-          <input
-            value={name.value}
-            maxLength={80}
-            autoComplete="off"
-            enterKeyHint="done"
-            onInput={(event) => (name.value = event.currentTarget.value)}
-          />
-        </label>
+        <TextField label={t.teach.name} text={name} maxLength={80} done />
         <p class="hint">{t.teach.nameExample}</p>
       </form>
       {photo.value && <img class="picture-shown" src={photo.value.address} alt="" />}
