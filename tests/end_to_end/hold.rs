@@ -12,6 +12,11 @@ use crate::steps::{alone, ended, idle_arm, joints, number, numbers, plan, text};
 
 const ANNA: &str = "?phone=anna&phone_name=Anna";
 
+/// What a phone says while the button is held.
+fn hold(run: &Value, press: u64) -> String {
+    json!({ "type": "hold", "reproduction": run["id"], "press": press }).to_string()
+}
+
 /// A finger on the button of a phone.
 struct Finger {
     lift: oneshot::Sender<()>,
@@ -20,8 +25,8 @@ struct Finger {
 
 impl Finger {
     /// The phone says twenty times a second that the button is held.
-    fn press(mut live: Live, run: &Value) -> Self {
-        let message = json!({ "type": "hold", "reproduction": run["id"] }).to_string();
+    fn press(mut live: Live, run: &Value, press: u64) -> Self {
+        let message = hold(run, press);
         let (lift, mut lifted) = oneshot::channel();
         let phone = tokio::spawn(async move {
             let mut tick = tokio::time::interval(Duration::from_millis(50));
@@ -86,15 +91,20 @@ async fn the_arm_moves_only_while_the_button_is_held() {
     }
 
     let live = Live::connect_with(client.base(), ANNA).await;
-    let finger = Finger::press(live, &run);
+    let finger = Finger::press(live, &run, 1);
     let moves = in_phase(&client, "approach", 0.5).await;
     assert_eq!(moves["run"]["held"], true);
-    let live = finger.fall_silent().await;
+    let mut live = finger.fall_silent().await;
     let stands = in_phase(&client, "paused", 0.0).await;
     assert_eq!(stands["run"]["held"], false);
 
-    // Held again, it goes on from there to the end, whatever else is asked of the arm meanwhile.
-    let finger = Finger::press(live, &run);
+    // What comes late of a press that is over counts for nothing.
+    live.send(&json!({ "type": "let_go" }).to_string()).await;
+    for _ in 0..20 {
+        live.send(&hold(&run, 1)).await;
+    }
+    // Pressed again, it goes on from there to the end, whatever else is asked of the arm meanwhile.
+    let finger = Finger::press(live, &run, 2);
     in_phase(&client, "approach", 0.0).await;
     for hold in [true, false] {
         let another = json!({ "plan": plan["plan"], "hold": hold });
@@ -106,6 +116,7 @@ async fn the_arm_moves_only_while_the_button_is_held() {
     assert_eq!(finished["state"], "succeeded", "{finished}");
     assert!(number(&finished, "e_j_deg") < 0.02, "{finished}");
 
+    assert_eq!(times(&client, &run, "held").await.len(), 2, "two presses");
     // By the record, the arm stood soon after the last word.
     let let_go = times(&client, &run, "let_go").await[0];
     let path = format!(
@@ -139,7 +150,7 @@ async fn a_phone_that_is_gone_and_a_phone_without_control_hold_nothing() {
     in_phase(&client, "paused", 0.0).await;
 
     let stranger = Live::connect_with(client.base(), "?phone=ben&phone_name=Ben").await;
-    let finger = Finger::press(stranger, &run);
+    let finger = Finger::press(stranger, &run, 1);
     let robot = watching.wait_for("robot", |message| {
         // What was under way before the run began is told too.
         message["robot"]["control"]["phone"]["id"] == "anna" && message["robot"]["run"].is_object()
@@ -149,7 +160,7 @@ async fn a_phone_that_is_gone_and_a_phone_without_control_hold_nothing() {
     finger.fall_silent().await;
 
     let live = Live::connect_with(client.base(), ANNA).await;
-    let finger = Finger::press(live, &run);
+    let finger = Finger::press(live, &run, 2);
     in_phase(&client, "approach", 0.3).await;
     drop(finger.fall_silent().await);
     in_phase(&client, "paused", 0.3).await;

@@ -21,6 +21,7 @@ use super::auth::Actor;
 use super::control::phone;
 use super::error::{ApiError, Problem};
 use super::extract::Query;
+use super::holds::Holds;
 use super::robot::RobotAnswer;
 use super::state::AppState;
 use crate::arms::Arm;
@@ -85,6 +86,7 @@ enum Command {
     Stop,
     Hold {
         reproduction: ReproductionId,
+        press: u64,
     },
     LetGo,
     Drag {
@@ -105,9 +107,10 @@ struct Client {
 /// "demonstration", "job", "model" and "reproduction" as they change. What other robots record is
 /// told when it is over. A client may send {"type": "stop"}, which stops this robot.
 ///
-/// A motion that was started with "hold" moves only while {"type": "hold", "reproduction": …} comes
-/// at least every 180 ms (send it every 50 ms); {"type": "let_go"}, silence and a lost socket bring
-/// the arm to a standstill on its path, from where it goes on when it is held again.
+/// A motion that was started with "hold" moves only while {"type": "hold", "reproduction", "press"}
+/// comes at least every 180 ms (send it every 50 ms); {"type": "let_go"}, silence and a lost socket
+/// bring the arm to a standstill on its path. "press" is a number that grows with every press of the
+/// button: after a let-go or 400 ms of silence only a new press makes the arm go on.
 ///
 /// While a virtual arm is soft, {"type": "drag", "tool_mm": [x, y, z]} pulls the centre of its tool
 /// flange there (base frame) with the orientation that it had when the drag began; "turn_deg" turns
@@ -143,7 +146,7 @@ async fn serve(state: AppState, robot: String, client: Client, socket: WebSocket
     };
     let _watching = client.phone.as_ref().map(|phone| arm.control.watch(phone));
     let (sender, receiver) = socket.split();
-    let mut holds = Holds { arm, held: false };
+    let mut holds = Holds::of(arm);
     let (mut drags, refusals) = Drags::of(arm);
     tokio::select! {
         () = receive(&state, arm, &client, &mut holds, &mut drags, receiver) => {}
@@ -153,36 +156,6 @@ async fn serve(state: AppState, robot: String, client: Client, socket: WebSocket
             }
         }
         () = state.shutdown.raised() => {}
-    }
-}
-
-/// Whether this client holds the button. Letting go of the socket lets go of the arm.
-struct Holds<'a> {
-    arm: &'a Arm,
-    held: bool,
-}
-
-impl Holds<'_> {
-    fn hold(&mut self, client: &Client, id: ReproductionId) {
-        let holds =
-            self.arm.claim(client.phone.as_ref()).is_ok() && self.arm.reproducer.hold(id).is_ok();
-        if holds {
-            self.held = true;
-        } else {
-            self.let_go();
-        }
-    }
-
-    fn let_go(&mut self) {
-        if std::mem::take(&mut self.held) {
-            self.arm.robot.let_go();
-        }
-    }
-}
-
-impl Drop for Holds<'_> {
-    fn drop(&mut self) {
-        self.let_go();
     }
 }
 
@@ -201,7 +174,10 @@ async fn receive(
                     arm.robot.stop();
                     state.audit(&client.actor, "stopped the arm", &arm.id).await;
                 }
-                Ok(Command::Hold { reproduction }) => holds.hold(client, reproduction),
+                Ok(Command::Hold {
+                    reproduction,
+                    press,
+                }) => holds.hold(client.phone.as_ref(), reproduction, press),
                 Ok(Command::LetGo) => holds.let_go(),
                 Ok(Command::Drag { tool_mm, turn_deg }) => {
                     let target = Target { tool_mm, turn_deg };

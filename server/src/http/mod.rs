@@ -14,6 +14,7 @@ mod extract;
 mod flights;
 mod headers;
 mod health;
+mod holds;
 mod jobs;
 mod join;
 mod live;

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import type { RobotView } from "../api/types";
 import { beginHolding } from "./holding";
 import { connection } from "./live";
 import * as live from "./live";
@@ -54,6 +55,21 @@ test("a call coming in, a locked phone, another window: nobody holds it any more
     target.dispatchEvent(new Event(name));
     expectLetGo(ended);
   }
+});
+
+test("a press that the server heard nothing of for a while is over", async () => {
+  const run = (held: boolean) =>
+    ({
+      run: { phase: "motion", speed: 1, paused: false, held, t_s: 1, duration_s: 9 },
+    }) as RobotView;
+  live.robot.value = run(false);
+  const { ended } = begin();
+  expect(ended).not.toHaveBeenCalled();
+  live.robot.value = run(true);
+  live.robot.value = run(false);
+  await Promise.resolve();
+  expectLetGo(ended);
+  live.robot.value = null;
 });
 
 test("a lost connection ends it, and it does not begin again by itself", async () => {

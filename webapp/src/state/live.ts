@@ -89,10 +89,10 @@ export const armDrag = new ArmDrag(
   (message) => connection.peek() === "live" && (socket?.send(message) ?? false),
 );
 
-/** Says that the button is held at this moment; to be said again before 180 ms are over. Whether
- *  it could be said. */
-export function hold(reproduction: string): boolean {
-  return socket?.send({ type: "hold", reproduction }) ?? false;
+/** Says that the button is held at this moment; to be said again before 180 ms are over. `press`
+ *  grows with every press: what the network kept back for long is over. Whether it could be said. */
+export function hold(reproduction: string, press: number): boolean {
+  return socket?.send({ type: "hold", reproduction, press }) ?? false;
 }
 
 /** Says that nobody holds the button any more; silence would mean the same a little later. */
