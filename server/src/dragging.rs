@@ -13,8 +13,8 @@ use motion::JointAngles;
 use motion::drag::{Drag, Target};
 use motion::limits::RobotLimits;
 use robot::{HandActivity, HandCommand, Robot, RobotError, RobotKind, RobotState, RobotView};
-use tokio::sync::{Mutex, OwnedMutexGuard, mpsc, watch};
-use tokio::time::{Instant, MissedTickBehavior, interval};
+use tokio::sync::{Mutex, mpsc, watch};
+use tokio::time::{Instant, MissedTickBehavior, interval, timeout};
 
 use crate::arms::Arm;
 use crate::control::ControlError;
@@ -23,6 +23,8 @@ use crate::control::ControlError;
 const TICK: Duration = Duration::from_millis(20);
 /// After so much silence the next target is another attempt.
 const SILENCE: Duration = Duration::from_secs(1);
+/// Longest wait for a drag before that is ending.
+const HANDOVER: Duration = Duration::from_millis(500);
 /// Refusals that may wait to be sent; each attempt has one.
 const REFUSALS: usize = 4;
 
@@ -115,17 +117,14 @@ impl<'a> Drags<'a> {
         claim: impl FnOnce() -> Result<(), ControlError>,
     ) -> Result<watch::Sender<Target>, DragError> {
         let arm = self.arm;
-        let joints = joints_of(&arm.robot.view().borrow())?;
+        joints_of(&arm.robot.view().borrow())?;
         claim()?;
-        let seat = Arc::clone(&arm.drag.0);
-        let seat = seat.try_lock_owned().map_err(|_| DragError::Taken)?;
-        let mut drag = Drag::begin(joints, &with_whole_arm(&arm.limits));
-        drag.aim(&target);
         let (targets, received) = watch::channel(target);
         let refusals = self.refusals.clone();
-        let leading = lead(arm.robot.clone(), drag, received, seat);
+        let (robot, seat) = (arm.robot.clone(), Arc::clone(&arm.drag.0));
+        let limits = with_whole_arm(&arm.limits);
         tokio::spawn(async move {
-            if let Err(error) = leading.await {
+            if let Err(error) = lead(robot, seat, limits, received).await {
                 refusals.try_send(error).ok();
             }
         });
@@ -165,11 +164,16 @@ fn joints_of(view: &RobotView) -> Result<JointAngles, DragError> {
 /// Leads the arm until the sender of targets is dropped or the arm may not be dragged any more.
 async fn lead(
     robot: Robot,
-    mut drag: Drag,
+    seat: Arc<Mutex<()>>,
+    limits: RobotLimits,
     mut targets: watch::Receiver<Target>,
-    _seat: OwnedMutexGuard<()>,
 ) -> Result<(), DragError> {
+    // A drag that was let go a moment ago may still be telling the hand so.
+    let seat = timeout(HANDOVER, seat.lock()).await;
+    let _seat = seat.map_err(|_| DragError::Taken)?;
     let view = robot.view();
+    let mut drag = Drag::begin(joints_of(&view.borrow())?, &limits);
+    drag.aim(&targets.borrow_and_update());
     let mut tick = interval(TICK);
     tick.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let mut last = Instant::now();
