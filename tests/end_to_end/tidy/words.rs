@@ -55,13 +55,17 @@ const EXCEPTIONS: [(&str, &[&str]); 8] = [
     (
         "the list of who did what",
         &[
+            "asked for control",
             "changed the speed of a motion",
             "discarded a demonstration",
+            "gave control away",
             "kept a demonstration",
+            "kept control",
             "let a motion go on",
             "made the arm s",
             "paired {",
             "paused a motion",
+            "released control",
             "reset a signal",
             "said that a motion",
             "set a signal",
